@@ -9,8 +9,8 @@ const Words& words_of(Status /*of*/) {
   static const Words all{
       "base",
       "Status",
-      "Outcome of an evaluation, ordered by severity. If several values apply, the most severe "
-      "one is returned.",
+      "Outcome of an evaluation, ordered by severity. If several outcomes apply, the most severe "
+      "outcome is returned.",
       {{"ok"},
        {"not_converged", "Proximal iterations ended at their maximum number, before the tolerance was reached"},
        {"singular_contacts", "Contact constraints are redundant or not controllable, and their compliance mu is 0"},

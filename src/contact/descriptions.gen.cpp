@@ -52,8 +52,8 @@ const Description& description_of(const SlidingFriction* /*of*/) {
           .more("Friction acts at the tool's origin shifted by this distance, opposite to the "
                 "normal.")
           .field("coefficient_input", &S::coefficient_input,
-                 "Scalar input of an optimal control problem that replaces `coefficient` (empty: "
-                 "none), at least 0")
+                 "Name of the scalar input of an optimal control problem whose values, at least "
+                 "0, replace `coefficient` (empty: no input)")
           .more("See InputSpec.");
   return all;
 }
@@ -89,8 +89,8 @@ const Description& description_of(const ContactSpec* /*of*/) {
           .field("friction", &S::friction,
                  "Friction on the tool (none: frictionless)")
           .field("surface_input", &S::surface_input,
-                 "Surface input of an optimal control problem that replaces the surface of "
-                 "`reference` (empty: none)")
+                 "Name of the input of an optimal control problem whose surface replaces the "
+                 "surface of `reference` (empty: no input)")
           .more("The reference must follow a surface. See InputSpec.");
   return all;
 }
@@ -122,8 +122,8 @@ const Description& description_of(const ContactForce* /*of*/) {
           .field("base_position", &S::base_position,
                  "Position of the base frame in the world [{m}]")
           .field("frame_rotation", &S::frame_rotation,
-                 "Rotation matrix from a frame to world axes; the axes of the reference are fixed"
-                 " in this frame")
+                 "Rotation matrix to world axes, from the frame in which the reference's axes are"
+                 " fixed")
           .field("frame_position", &S::frame_position,
                  "Position of the reference's origin in the world [{m}]");
   return all;
@@ -176,7 +176,7 @@ const Description& description_of(const RedundantLoop* /*of*/) {
   static const Description all =
       Describe<S>("contact", "RedundantLoop",
                   "Redundant directions of a loop. Other constraints of the loops already imply "
-                  "them.")
+                  "these directions.")
           .result()
           .field("loop", &S::loop)
           .field("directions", &S::directions);
@@ -257,7 +257,7 @@ const Words& words_of(LoopMetric /*of*/) {
       "contact",
       "LoopMetric",
       "Norm of the change dv of a velocity. A projection onto the loops minimizes this norm.",
-      {{"plain", "|dv|^2, with equal weights of rad/s and m/s"},
+      {{"plain", "|dv|^2, with equal weights for rad/s and m/s"},
        {"mass", "dv^T M dv, with the mass matrix M; dv is then the effect of impulses in the loops"}}};
   return all;
 }

@@ -28,7 +28,7 @@ const Description& description_of(const CheckEntry* /*of*/) {
           .field("row", &S::row,
                  "Name of the row: an entry of v, or a contact row such as \"tool/z\"")
           .field("column", &S::column,
-                 "Name of the column (the variable): an entry of v or of lambda")
+                 "Name of the column: the variable, an entry of v or of lambda")
           .field("value", &S::value,
                  "Analytic derivative")
           .field("expected", &S::expected,
@@ -43,7 +43,7 @@ const Description& description_of(const CheckRow* /*of*/) {
   static const Description all =
       Describe<S>("derivatives", "CheckRow",
                   "Result of the check for one set of contacts, over all random states. A text "
-                  "that differs between the contacts lists all values, joined by \" + \".")
+                  "member lists the values of all contacts, joined by \" + \", if they differ.")
           .field("reference", &S::reference)
           .field("directions", &S::directions)
           .field("bodies", &S::bodies,
@@ -61,8 +61,8 @@ const Description& description_of(const CheckRow* /*of*/) {
                 "postures. In that case the robot has too few joints, or rows are redundant.")
           .field("worst_error", &S::worst_error,
                  "Largest error, as a fraction of the largest entry of the derivative block")
-          .more("Infinite if a value is NaN. The divisor is at least 1e6 times the rounding error"
-                " of the finite differences.")
+          .more("The error is infinite if a value is NaN. The largest entry counts as at least "
+                "1e6 times the rounding error of the finite differences.")
           .field("worst", &S::worst)
           .field("pass_", &S::pass,
                  "Whether worst_error <= tolerance");
@@ -109,7 +109,7 @@ const Description& description_of(const RedundantRow* /*of*/) {
   static const Description all =
       Describe<S>("derivatives", "RedundantRow",
                   "Row of the contact Jacobian that depends linearly on the rows before it, or "
-                  "that no joint moves.")
+                  "that is zero.")
           .result()
           .field("contact", &S::contact,
                  "Name of the contact")
@@ -128,7 +128,7 @@ const Description& description_of(const ContactDiagnosis* /*of*/) {
   using S = ContactDiagnosis;
   static const Description all =
       Describe<S>("derivatives", "ContactDiagnosis",
-                  "Contact rows that diagnose() found to depend on other rows. Without such rows,"
+                  "Contact rows that diagnose() found to depend on other rows. If there are none,"
                   " the contacts are independent.")
           .result()
           .field("redundant", &S::redundant)
@@ -164,7 +164,7 @@ const Description& description_of(const PlacementDerivatives* /*of*/) {
                   "columns.")
           .result()
           .field("position", &S::position,
-                 "Derivative of the position in world axes: 3 x nv, m/rad (m/m)")
+                 "Derivative of the position in world axes: 3 x nv, m/rad or m/m")
           .field("rotation", &S::rotation,
                  "Derivative of the rotation R, in the frame's own axes: 3 x nv")
           .more("Column k is the vector w with R^T dR/dq_k = [w x].")

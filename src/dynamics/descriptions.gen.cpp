@@ -63,7 +63,8 @@ const Words& words_of(SurfaceShape::Kind /*of*/) {
   static const Words all{
       "contact",
       "SurfaceKind",
-      "Kinds of surface shapes. Tangents below are the two axes of the tangent plane at `point`.",
+      "Kinds of surface shapes. First and second tangent are the two axes of the tangent plane at"
+      " the given point.",
       {{"plane"},
        {"sphere"},
        {"cylinder", "Cylinder with its axis along the first tangent"},

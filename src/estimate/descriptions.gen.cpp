@@ -19,7 +19,8 @@ const Description& description_of(const FootSpec* /*of*/) {
   using S = FootSpec;
   static const Description all =
       Describe<S>("estimate", "FootSpec",
-                  "Foot of a robot. The estimator uses the foot while it stands on the ground.")
+                  "Foot of a robot. The estimator uses the foot while the foot stands on the "
+                  "ground.")
           .field("frame", &S::frame,
                  "Name of the foot's frame")
           .more("For a ball, the frame is at the centre of the ball, and the ball should roll "
@@ -126,7 +127,7 @@ const Description& description_of(const BaseEstimatorOptions* /*of*/) {
                  {.least = 0})
           .group("Feet that slip.")
           .field("gate", &S::gate,
-                 "Fraction of the readings of a resting foot that the outlier test accepts",
+                 "Fraction of a resting foot's readings that pass the outlier test",
                  {.least = 0, .most = 1, .open = true})
           .field("rejoin_after", &S::rejoin_after,
                  "Rest time after which a foot that slipped is used again [{s}]",
@@ -200,7 +201,7 @@ const Description& description_of(const FootContactOptions* /*of*/) {
                  "Noise density of the force sensors [{N/sqrt(Hz)}]",
                  {.least = 0})
           .more("The standard deviation of the filtered noise must be at most a quarter of the "
-                "gap between the forces of `lift` and `touch`.")
+                "gap between the force thresholds `lift` and `touch`.")
           .field("bandwidth", &S::bandwidth,
                  "Bandwidth of the observer that estimates foot forces from joint torques "
                  "[{rad/s}]",
@@ -271,16 +272,16 @@ const Description& description_of(const Measurement* /*of*/) {
                  "Joint torques measured between motor and link, nv entries [{Nm (N)}]")
           .field("tool_wrench", &S::tool_wrench,
                  "Measured wrench of the surface on the tool: force (N), then moment (Nm)")
-          .more("Moments are about the origin of the tool's frame, and both parts are in the axes"
-                " of that frame, without the weight of the tool. Components that no sensor "
-                "measures are NaN. Controllers use only the force")
+          .more("Moments are about the origin of the tool's frame. Force and moment are in the "
+                "axes of this frame and exclude the weight of the tool. Components that no sensor"
+                " measures are NaN. Controllers use only the force")
           .field("imu", &S::imu,
                  "Reading of the inertial measurement unit; empty if the robot has none")
           .field("support_wrenches", &S::support_wrenches,
                  "Measured wrench of the ground on each support, one column per support: force "
                  "(N), then moment (Nm)")
-          .more("Moments are about the origin of the support's frame, and both parts are in the "
-                "axes of that frame. Empty if wrenches are not measured")
+          .more("Moments are about the origin of the support's frame. Force and moment are in the"
+                " axes of this frame. Empty if wrenches are not measured")
           .field("base_lost_for", &S::base_lost_for,
                  "Time since the last position estimate of a floating base [{s}]")
           .more("The value 0 means that the estimate is current. While the value is positive, the"
@@ -308,15 +309,16 @@ const Description& description_of(const ModelErrorOptions* /*of*/) {
                   "Settings of the online estimate of the constant model error. The estimate is "
                   "added to the model (offset-free model predictive control).")
           .field("kind", &S::kind,
-                 "Estimated error: none, torque (per joint) or force (along the normal)")
+                 "Kind of error that is estimated: `none`, `torque` (per joint) or `force` (along"
+                 " the normal)")
           .field("bandwidth", &S::bandwidth,
                  "Bandwidth of the observer (automatic: 30, but fitted to the arm in polishing) "
                  "[{rad/s}]",
                  {.least = 0, .open = true})
-          .more("A higher bandwidth corrects friction sooner and tolerates less delay. With kind "
-                "force, the observer closes a loop through the controller, and the delays of that"
-                " loop limit the bandwidth. Example: with a force sensor that is filtered at 50 "
-                "Hz, 50 rad/s work and 100 rad/s oscillate.")
+          .more("A higher bandwidth corrects friction sooner and tolerates less delay. If `kind` "
+                "is `force`, the observer closes a loop through the controller, and the delays of"
+                " that loop limit the bandwidth. Example: if the force sensor is filtered at 50 "
+                "Hz, the loop works at 50 rad/s and oscillates at 100 rad/s.")
           .word("auto")
           .field("transient_scale", &S::transient_scale,
                  "Largest factor on the bandwidth (automatic: 3, but fitted to the arm in "
@@ -425,7 +427,7 @@ const Description& description_of(const SurfaceEstimateOptions* /*of*/) {
                  "Standard deviation of the initial surface's height [{m}]",
                  {.least = 0, .open = true})
           .field("tilt", &S::tilt,
-                 "Standard deviation of the initial normal's angle about each tangent [{rad}]",
+                 "Standard deviation of the initial normal's tilt about each tangent [{rad}]",
                  {.least = 0, .open = true})
           .field("curvature", &S::curvature,
                  "Standard deviation of the initial curvatures [{1/m}]",

@@ -98,7 +98,7 @@ const Description& description_of(const FaultReport* /*of*/) {
                  "empty if there is none")
           .more("With FaultKind::Watched, this is name and unit of the quantity. With "
                 "FaultKind::SupportSlipped, this is the name of the support. A part of the robot "
-                "has words such as \"hand 'left'\"")
+                "is named as in \"hand 'left'\"")
           .field("joint_name", &S::joint_name,
                  "Name of the joint with the fault; empty: the fault concerns no joint")
           .field("unit", &S::unit,
@@ -158,7 +158,8 @@ const Description& description_of(const LoopMargins* /*of*/) {
           .more("Delays up to 0.01 s are tried. The value 0 means that the control loop is "
                 "unstable even without extra delay")
           .field("bandwidth", &S::bandwidth,
-                 "Bandwidth of the model-error observer at the smallest delay margin [{rad/s}]")
+                 "Bandwidth of the model-error observer for which the delay margin is smallest "
+                 "[{rad/s}]")
           .more("The delay margin is computed for up to three bandwidths")
           .field("gains", &S::gains,
                  "Stable ranges of torque factors, one per entry of v");
@@ -226,8 +227,8 @@ const Description& description_of(const Fallback* /*of*/) {
                   "a joint would exceed `saturation_fraction` times its effort limit, q_hold "
                   "follows the robot.")
           .field("stiffness", &S::stiffness,
-                 "Spring stiffness per inertia (0: a damper brakes the robot, no spring) "
-                 "[{1/s^2}]",
+                 "Spring stiffness, multiplied by the mass matrix (0: no spring, only the damper)"
+                 " [{1/s^2}]",
                  {.least = 0})
           .field("damping", &S::damping,
                  "Damping, multiplied by the mass matrix [{1/s}]",
@@ -270,7 +271,7 @@ const Description& description_of(const MpcSpec* /*of*/) {
           .field("tool", &S::tool,
                  "Frame of Measurement::tool_wrench; empty: the robot has no tool")
           .field("base", &S::base,
-                 "Robot frame that carries the surface, such as a plate in the other hand; empty:"
+                 "Robot frame that carries the surface, such as a hand that holds a plate; empty:"
                  " the world")
           .more("The reaction to the force on the tool acts on this frame")
           .field("normal_base", &S::normal_base,
@@ -291,9 +292,9 @@ const Description& description_of(const MpcSpec* /*of*/) {
           .field("force_sensor", &S::force_sensor,
                  "Whether the force of Measurement.tool_wrench is measured; if false, the force "
                  "is estimated")
-          .more("The estimated force explains the change of the torque error at contact. The "
-                "estimate uses torques, positions and velocities, and requires model_error.kind "
-                "torque")
+          .more("The force is estimated from the change of the torque error at contact. The "
+                "estimate uses torques, positions and velocities, and requires that "
+                "model_error.kind is `torque`")
           .field("contact_threshold", &S::contact_threshold,
                  "Normal force above which the tool counts as in contact [{N}]")
           .field("tick_period", &S::tick_period,
@@ -306,13 +307,13 @@ const Description& description_of(const MpcSpec* /*of*/) {
                  {.least = 0})
           .more("The estimators settle during this time. The schedule begins afterwards")
           .field("timing", &S::timing,
-                 "When a new plan comes into use: fixed, measured or thread")
+                 "Rule for when a new plan comes into use: `fixed`, `measured` or `thread`")
           .field("solver_delay", &S::solver_delay,
                  "Time from a measurement to the use of the plan computed from that measurement "
                  "[{s}]")
-          .more("With timing fixed, the delay is at most the update period. The new plan starts "
-                "from the state that is predicted for the end of the delay under the current "
-                "policy")
+          .more("If `timing` is `fixed`, the delay is at most the update period. The new plan "
+                "starts from the state that is predicted for the end of the delay under the "
+                "current policy")
           .field("command_delay", &S::command_delay,
                  "Assumed delay from a torque command to the torque in the joint, rounded to "
                  "ticks [{s}]")
@@ -380,8 +381,8 @@ const Description& description_of(const SchedulePhase* /*of*/) {
                 "phase and waits. Plans made while the clock waits contain the rest of this phase"
                 " and then the next phase. The last phase ignores its event")
           .field("hold", &S::hold,
-                 "Remaining time of the phase at which the schedule's clock waits for a late "
-                 "event [{s}]")
+                 "Point where the schedule's clock waits for a late event: time before the end of"
+                 " the phase [{s}]")
           .more("If `hold` is longer than the phase, the clock waits at the start of the phase");
   return all;
 }

@@ -28,8 +28,8 @@ const Description& description_of(const MujocoPlantOptions* /*of*/) {
           .field("impedance", &S::impedance,
                  "Impedance d of MuJoCo's own contact",
                  {.least = 0, .most = 1, .open = true})
-          .more("The contact has an apparent mass. This mass is d / (1 - d) times the apparent "
-                "mass of the tip.")
+          .more("The contact acts with an apparent mass of d / (1 - d) times the apparent mass of"
+                " the tip.")
           .field("friction_ratio", &S::friction_ratio,
                  "Ratio of frictional to normal impedance (MuJoCo's impratio)",
                  {.least = 0, .open = true})

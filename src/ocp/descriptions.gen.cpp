@@ -16,9 +16,9 @@ const Description& description_of(const ProblemCheckOptions* /*of*/) {
           .field("seed", &S::seed,
                  "Seed of the random states; equal seeds give equal states on every machine")
           .field("tolerance", &S::tolerance,
-                 "Largest accepted error of a derivative, relative to the largest entry of the "
-                 "derivative block")
-          .more("The error is |derivative - finite difference|")
+                 "Largest accepted error of a derivative, relative to the largest entry of its "
+                 "block")
+          .more("The error is |derivative - finite difference|. An example of a block is dnext_dq")
           .field("x", &S::x,
                  "States around which random states are drawn; empty: the initial state at every "
                  "knot")
@@ -29,13 +29,14 @@ const Description& description_of(const ProblemCheckOptions* /*of*/) {
           .more("N vectors of nu entries. Vectors for impacts are ignored")
           .field("position", &S::position,
                  "Largest random change of a position, uniformly distributed [rad, m]")
-          .more("The number in m is for a robot of 1 m, and grows with the size of the robot")
+          .more("For lengths, the value is multiplied by the robot's size in m, rounded to a "
+                "power of ten")
           .field("velocity", &S::velocity,
                  "Largest random change of a velocity [{rad/s}], or in m/s")
           .field("torque", &S::torque,
                  "Largest random change of a control or of a torque in the state [{Nm}], or in N")
-          .more("The number is for a robot of 20 kg and 1 m, and grows with the weight of the "
-                "robot")
+          .more("The value is for a robot of 20 kg and 1 m. It is scaled with the robot's weight,"
+                " and in Nm also with the robot's size")
           .field("progress", &S::progress,
                  "Function called after each stage, with the number of finished stages and the "
                  "number of all stages.");
@@ -59,7 +60,7 @@ const Description& description_of(const ProblemCheckRow* /*of*/) {
                  "Largest error, relative to the largest entry of the derivative block; infinite "
                  "if a NaN occurred")
           .field("worst", &S::worst,
-                 "Entry with the largest error; the block has a name such as \"dnext_dq\", "
+                 "Entry with the largest error, in a derivative block such as \"dnext_dq\", "
                  "\"dr_du\" or \"dcost_dv\"")
           .field("pass_", &S::pass,
                  "True if worst_error <= tolerance");
@@ -84,7 +85,7 @@ const Words& words_of(InputKind /*of*/) {
   static const Words all{
       "ocp",
       "InputKind",
-      "Kind of value of a problem's input.",
+      "Kind of value that an input of a problem can have.",
       {{"scalar", "A number"},
        {"vector", "Several numbers"},
        {"rotation", "A unit quaternion x, y, z, w"},
@@ -105,7 +106,7 @@ const Description& description_of(const InputSpec* /*of*/) {
           .required()
           .field("kind", &S::kind)
           .field("value", &S::value,
-                 "Value of the input until Problem::set_input() sets one, constant or over time; "
+                 "Value until Problem::set_input() sets one: constant, or a function of time; "
                  "empty: none")
           .more("While an input has no value, its uses keep the values of the specification. A "
                 "vector needs a value, which defines its number of entries. A surface or an "
@@ -185,9 +186,10 @@ const Words& words_of(Penalty::Kind /*of*/) {
        {"barrier", "Half the squared distance of r from the interval [lower, upper]; zero inside"},
        {"smooth_absolute", "sqrt(r^2 + width^2) - width. Approximately |r| for large |r|, and r^2 / (2 width) for "
         "small |r|"},
-       {"log_barrier", "Sum over both limits. Let s be the distance of r from a limit, negative beyond the "
-        "limit. For s > width, a limit costs -log(s / width). Otherwise, it costs ((s / width - "
-        "2)^2 - 1) / 2, a parabola that continues the logarithm smoothly"}}};
+       {"log_barrier", "Sum of the costs of the lower and the upper limit. Let s be the distance of r from a "
+        "limit, negative beyond the limit. For s > width, a limit costs -log(s / width). "
+        "Otherwise, it costs ((s / width - 2)^2 - 1) / 2, a parabola that continues the logarithm"
+        " smoothly"}}};
   return all;
 }
 
@@ -209,22 +211,22 @@ const Description& description_of(const CostTerm* /*of*/) {
           .field("weights", &S::weights,
                  "Weights of the rows, not negative; empty: 1 for every row")
           .field("penalty", &S::penalty,
-                 "Penalty of each row; empty: a square, or the default penalty of the residual")
+                 "Penalty of each row; empty: the default penalty of the residual, usually "
+                 "quadratic")
           .field("offset_input", &S::offset_input,
-                 "Input that is added to the target; empty: none")
-          .more("A scalar or a vector needs as many entries as the target. A vector of 3 entries "
-                "moves the position of a placement. A rotation turns the target of a rotation or "
-                "placement about the target's own axes")
+                 "Name of the input whose value is added to the target; empty: none")
+          .more("A scalar or vector input needs as many entries as the target. Exception: a "
+                "vector of 3 entries moves the position of a target pose. A rotation input turns "
+                "a target rotation or pose about the target's own axes")
           .field("friction_ratio_input", &S::friction_ratio_input,
-                 "Scalar input that multiplies the coefficient of friction (empty: none), at "
-                 "least 0")
-          .more("Values above 1 count as 1. For friction cones and centres of pressure with "
-                "friction")
+                 "Name of the scalar input that multiplies the friction coefficient; empty: none")
+          .more("The value is at least 0; values above 1 count as 1. The residual must be a "
+                "friction cone, or a centre of pressure with friction")
           .field("surface_input", &S::surface_input,
-                 "Surface input (empty: none): it replaces the surface of the residual's "
-                 "reference")
+                 "Name of the input whose surface replaces the surface of the residual's "
+                 "reference; empty: none")
           .more("A residual without a curved reference needs a target position. The target "
-                "position moves into the surface along the normal, by the depth of the input");
+                "position then moves into the surface along the normal, by the depth of the input");
   return all;
 }
 
@@ -270,20 +272,19 @@ const Description& description_of(const Constraint* /*of*/) {
                  "Quadratic penalty weight of violations, in cost per squared row unit",
                  {.least = 0})
           .field("offset_input", &S::offset_input,
-                 "Input that is added to the target; empty: none")
-          .more("A scalar or a vector needs as many entries as the target. A vector of 3 entries "
-                "moves the position of a placement. A rotation turns the target of a rotation or "
-                "placement about the target's own axes")
+                 "Name of the input whose value is added to the target; empty: none")
+          .more("A scalar or vector input needs as many entries as the target. Exception: a "
+                "vector of 3 entries moves the position of a target pose. A rotation input turns "
+                "a target rotation or pose about the target's own axes")
           .field("friction_ratio_input", &S::friction_ratio_input,
-                 "Scalar input that multiplies the coefficient of friction (empty: none), at "
-                 "least 0")
-          .more("Values above 1 count as 1. For friction cones and centres of pressure with "
-                "friction")
+                 "Name of the scalar input that multiplies the friction coefficient; empty: none")
+          .more("The value is at least 0; values above 1 count as 1. The residual must be a "
+                "friction cone, or a centre of pressure with friction")
           .field("surface_input", &S::surface_input,
-                 "Surface input (empty: none): it replaces the surface of the residual's "
-                 "reference")
+                 "Name of the input whose surface replaces the surface of the residual's "
+                 "reference; empty: none")
           .more("A residual without a curved reference needs a target position. The target "
-                "position moves into the surface along the normal, by the depth of the input");
+                "position then moves into the surface along the normal, by the depth of the input");
   return all;
 }
 
@@ -318,7 +319,7 @@ const Words& words_of(TorqueModel::Discretization /*of*/) {
       {{"exact", "The torque error decays by exp(-cutoff step) over a step"},
        {"euler", "The torque error decays by 1 - cutoff step over a step"},
        {"held", "No filter: tau in the state is the control of the previous step, and the current control"
-        " acts"}}};
+        " acts on the robot"}}};
   return all;
 }
 
@@ -367,11 +368,11 @@ const Description& description_of(const HorizonSegment* /*of*/) {
   static const Description all =
       Describe<S>("ocp", "HorizonSegment",
                   "Consecutive knots of one stage, with the stage's step or with steps of their "
-                  "own. Own steps are equal, or change from knot to knot by a constant factor. "
-                  "With growing steps, few knots cover a long time. Contact gains and friction "
-                  "speeds are set for the stage's step. A knot that is n times as long uses "
-                  "smaller gains for stability: kd / n and kp / n^2. The speeds below which "
-                  "friction fades are multiplied by n.")
+                  "own. The segment's own steps are equal, or change from knot to knot by a "
+                  "constant factor. With growing steps, few knots cover a long time. Contact "
+                  "gains and friction speeds are set for the stage's step. A knot that is n times"
+                  " as long as this step uses smaller gains for stability: kd / n and kp / n^2. "
+                  "The speeds below which friction fades are multiplied by n.")
           .field("stage", &S::stage)
           .field("knots", &S::knots)
           .field("step", &S::step,
@@ -412,8 +413,9 @@ const Description& description_of(const ProblemSpec* /*of*/) {
           .field("inputs", &S::inputs,
                  "Named values that change between solves, such as an estimated surface")
           .field("torque_bias_input", &S::torque_bias_input,
-                 "Vector input of nv entries with a constant InputSpec.value (empty: none)")
-          .more("Its torque acts on the joints in addition to all torques of the model")
+                 "Name of a vector input of nv entries with a constant InputSpec.value; empty: "
+                 "none")
+          .more("The value is a torque on the joints, in addition to all torques of the model")
           .field("stages", &S::stages)
           .field("horizon", &S::horizon)
           .field("terminal", &S::terminal,
@@ -462,8 +464,8 @@ const Description& description_of(const StepReport* /*of*/) {
           .result()
           .field("status", &S::status,
                  "Status ok, or the reason why the errors of `knot` cannot be computed")
-          .more("Not converged: the smallest steps still disagree. Other reasons: a number is not"
-                " finite, or the contacts cannot be solved")
+          .more("Not converged: the results of the smallest steps still differ. Other reasons: a "
+                "number is not finite, or the contacts cannot be solved")
           .field("knot", &S::knot,
                  "First knot whose errors cannot be computed; -1: none")
           .field("position", &S::position,
@@ -472,8 +474,8 @@ const Description& description_of(const StepReport* /*of*/) {
           .field("coarse", &S::coarse,
                  "True if an error exceeds its limit or cannot be computed")
           .field("sufficient_step", &S::sufficient_step,
-                 "Step that is short enough at the worst knot (0: the steps are short enough, or "
-                 "no step is) [{s}]");
+                 "Sufficient step at the worst knot (0: all steps are short enough, or none was "
+                 "found) [{s}]");
   return all;
 }
 
@@ -512,7 +514,7 @@ const Description& description_of(const JointPosition* /*of*/) {
           .field("joints", &S::joints)
           .name_of("joint")
           .field("target", &S::target,
-                 "Target positions; None: zero, so the residual is the positions");
+                 "Target positions; None: zero, so the residual equals the positions");
   return all;
 }
 
@@ -549,10 +551,11 @@ const Description& description_of(const JointTorqueRate* /*of*/) {
   static const Description all =
       Describe<S>("residual", "JointTorqueRate",
                   "Rate of actuator torques of joints minus the target, Nm/s or N/s. The rate "
-                  "needs a torque model and a control. With a cut-off, the rate is cutoff (u - "
-                  "tau) at the start of the step, and decays over the step. With held torques, "
-                  "the rate is (u - tau) / step, where tau is the control of the previous step. "
-                  "If no joints are named, there are rows for all actuated joints.")
+                  "needs a torque model and a control u. With a cut-off, the rate is cutoff (u - "
+                  "tau) at the start of the step, where tau is the torque in the state. The rate "
+                  "decays over the step. With held torques, the rate is (u - tau) / step, where "
+                  "tau is the control of the previous step. If no joints are named, there are "
+                  "rows for all actuated joints.")
           .field("joints", &S::joints)
           .name_of("joint")
           .field("target", &S::target,
@@ -575,8 +578,8 @@ const Description& description_of(const FramePosition* /*of*/) {
           .stated()
           .field("target", &S::target,
                  "Target position from the reference's origin, 3 entries [{m}]")
-          .more("Written in the axes in which the reference's rotation is fixed. With "
-                "Reference::world(...), the target is a point of the world")
+          .more("Written in the axes of the frame Reference.axes, without Reference.rotation. "
+                "With Reference::world(...), the target is a point of the world")
           .field("reference", &S::reference);
   return all;
 }
@@ -587,18 +590,18 @@ const Description& description_of(const FrameDistance* /*of*/) {
       Describe<S>("residual", "FrameDistance",
                   "Distance of a frame's origin from the target, 1 row, m, along one or more axes"
                   " of the reference. With three axes it is the distance from a point, with two "
-                  "from a line, with one from a plane. The base of the reference must be the "
-                  "world, and the reference's origin must not be the frame itself. For a distance"
-                  " d the row is sqrt(d^2 + (1e-6 m)^2), which is differentiable everywhere. At d"
-                  " = 0 the derivative of the row is zero.")
+                  "axes from a line, with one axis from a plane. The base of the reference must "
+                  "be the world, and the reference's origin must not be the frame itself. For a "
+                  "distance d the row is sqrt(d^2 + (1e-6 m)^2), which is differentiable "
+                  "everywhere. At d = 0 the derivative of the row is zero.")
           .field("frame", &S::frame)
           .name_of("frame")
           .stated()
           .field("target", &S::target,
                  "Target position from the reference's origin (None: the origin itself), 3 "
                  "entries [{m}]")
-          .more("Written in the axes in which the reference's rotation is fixed. A target is "
-                "required if the origin is the world's origin")
+          .more("Written in the axes of the frame Reference.axes, without Reference.rotation. If "
+                "the reference's origin is the world's origin, a target is required")
           .field("directions", &S::directions,
                  "Axes that count: one or more of x, y and z")
           .field("reference", &S::reference);
@@ -714,9 +717,9 @@ const Description& description_of(const ContactForceRate* /*of*/) {
   using S = ContactForceRate;
   static const Description all =
       Describe<S>("residual", "ContactForceRate",
-                  "Rate of change of an active contact's force minus the target, (f - f_before) /"
-                  " step, N/s and Nm/s. There is one row per constrained direction, in the "
-                  "contact's own reference. f_before is the force of the previous step. The "
+                  "Rate of change of an active contact's force f, (f - f_before) / step, minus "
+                  "the target, N/s and Nm/s. f_before is the force of the previous step. There is"
+                  " one row per constrained direction, in the contact's own reference. The "
                   "contact must be in the problem's list force_states.")
           .field("contact", &S::contact)
           .name_of("contact")
@@ -735,8 +738,9 @@ const Description& description_of(const FrictionCone* /*of*/) {
                   "reference (0, 1, 2: x, y, z). f_t is the tangential force, and |f_t| is "
                   "smoothed over 1e-3 N. With `sides` = n > 0, a pyramid inside the cone replaces"
                   " the cone. There are then n rows, N: friction * cos(pi / n) * f_n - d_i . f_t."
-                  " The tangents d_i are 360 / n degrees apart. The first tangent is the axis of "
-                  "the reference after the normal. Default penalty: a barrier at 0.")
+                  " The tangents d_i are 360 / n degrees apart. The first tangent is the "
+                  "reference's axis that follows the normal (x follows z). Default penalty: a "
+                  "barrier at 0.")
           .field("contact", &S::contact)
           .name_of("contact")
           .stated()
@@ -763,10 +767,10 @@ const Description& description_of(const CenterOfPressure* /*of*/) {
                   "m_y, half_y f_z + m_x and half_y f_z - m_x. The centre of pressure is c = "
                   "(-m_y, m_x) / f_z. In the order of the rows, a row is zero if c is at the edge"
                   " with the largest x, smallest x, smallest y or largest y. With friction there "
-                  "are 8 more rows, Nm: the margins of the moment about the normal before the "
-                  "corners slip. The first 4 of the 8 rows limit negative moments, the last 4 "
-                  "positive moments. Each corner has the coefficient `friction`. Default penalty:"
-                  " a barrier at 0.")
+                  "are 8 more rows, Nm: the distances of the moment about the normal from the "
+                  "moments at which the corners slip. The first 4 of the 8 rows limit negative "
+                  "moments, the last 4 positive moments. Each corner has the coefficient "
+                  "`friction`. Default penalty: a barrier at 0.")
           .field("contact", &S::contact)
           .name_of("contact")
           .stated()

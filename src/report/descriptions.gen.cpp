@@ -16,14 +16,14 @@ const Description& description_of(const MetricsSpec* /*of*/) {
                  "End of the time window [{s}]")
           .field("normal_world", &S::normal_world,
                  "Surface normal towards the robot, in world axes (none: the true normal at the "
-                 "tool, in each row)")
+                 "tool, in each row of the trace)")
           .more("Forces are measured along the normal, position errors perpendicular to the "
                 "normal. The normal may have any length except zero")
           .field("average", &S::average,
                  "Width of the centred moving average of the force (0: no average) [{s}]")
           .field("tool_axis", &S::tool_axis,
-                 "Direction in which the tool presses, in the tool's frame (none: no "
-                 "Metrics.tool_to_normal)")
+                 "Direction in which the tool presses, in the tool's frame (none: "
+                 "Metrics.tool_to_normal is not computed)")
           .more("The vector may have any length except zero")
           .field("tool_start_world", &S::tool_start_world,
                  "Axes of the tool at the start of the trace, as columns in world axes");

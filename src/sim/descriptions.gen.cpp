@@ -68,8 +68,8 @@ const Description& description_of(const Push* /*of*/) {
           .key("force")
           .field("frame", &S::frame,
                  "Frame that the force acts on (tip, or empty: the tip's frame)")
-          .more("If the robot has no tool, ClosedLoop refuses an empty frame. Tasks without a "
-                "tool use the floating base.")
+          .more("If the robot has no tool, ClosedLoop refuses an empty frame, and tasks use the "
+                "floating base instead.")
           .word("tip");
   return all;
 }
@@ -117,9 +117,9 @@ const Description& description_of(const UnknownPayload* /*of*/) {
           .more("A random r with |r| <= mass_range is added to the mass. A negative sum counts as"
                 " zero")
           .field("com_range", &S::com_range,
-                 "Largest random change of each entry of the centre [{m}]",
+                 "Largest random change of each coordinate of the centre [{m}]",
                  {.least = 0})
-          .more("A random r with |r| <= com_range is added to each entry");
+          .more("A random r with |r| <= com_range is added to each coordinate");
   return all;
 }
 
@@ -156,9 +156,9 @@ const Description& description_of(const Disturbances* /*of*/) {
                   "All differences between a plant and its controller's model, and all errors of "
                   "sensors and motors. A disturbance without a value is off. The values zero, "
                   "empty and false also mean off. Random values are drawn from the seed. In the "
-                  "descriptions of the members, a joint is one entry of v. A floating base has no"
-                  " motors and no encoders. The base's entries of v therefore have no motor "
-                  "errors, no joint friction and no encoder rounding. Units are given for "
+                  "descriptions of the members, \"joint\" means one entry of v. A floating base "
+                  "has no motors and no encoders. The base's entries of v therefore have no motor"
+                  " errors, no joint friction and no encoder rounding. Units are given for "
                   "revolute joints; for prismatic joints, replace rad by m and Nm by N.")
           .field("seed", &S::seed,
                  "Seed of all random values")
@@ -199,8 +199,8 @@ const Description& description_of(const Disturbances* /*of*/) {
           .field("torque_limits", &S::torque_limits,
                  "Whether joint torques are clipped to the robot's effort limits")
           .field("torque_loop", &S::torque_loop,
-                 "Whether a torque control loop cancels torque scale, torque bias and joint "
-                 "friction")
+                 "Whether a torque control loop cancels the effects of torque scale, torque bias "
+                 "and joint friction")
           .more("The control loop uses a torque sensor in each joint. Within its bandwidth the "
                 "loop is ideal, but the noise of the sensor disturbs the torque")
           .field("torque_sensor_noise", &S::torque_sensor_noise,
@@ -245,7 +245,8 @@ const Description& description_of(const Disturbances* /*of*/) {
                  "[{rad/s}]",
                  {.least = 0})
           .field("force_noise", &S::force_noise,
-                 "Standard deviation of the noise of the tool's force sensor, per axis [{N}]",
+                 "Standard deviation of the noise of the tool's force sensor, per axis of the "
+                 "tool's frame [{N}]",
                  {.least = 0})
           .field("force_cutoff", &S::force_cutoff,
                  "Cut-off of the low-pass filter on measured forces and moments (0: no filter) "
@@ -293,8 +294,8 @@ const Description& description_of(const Disturbances* /*of*/) {
           .field("imu_faults", &S::imu_faults,
                  "Faults of the inertial measurement unit; in files: [{start: s, duration: s, "
                  "gyro_offset: [x, y, z] in rad/s, accelerometer_offset: [x, y, z] in m/s^2, "
-                 "frozen: true, silent: true}, ...]. Offsets are in the unit's axes. Entries left"
-                 " out are off. A fault without a duration lasts forever")
+                 "frozen: true, silent: true}, ...]. Offsets are in the unit's axes. Keys left "
+                 "out are off. A fault without a duration lasts forever")
           .group("Differences in the plant's model and scene, applied by plant_model() and "
              "plant_scene().")
           .field("mass_scale", &S::mass_scale,
@@ -305,8 +306,9 @@ const Description& description_of(const Disturbances* /*of*/) {
           .field("surface_tilt_deg", &S::surface_tilt_deg,
                  "Tilt of the plant's surface about its two tangents [{degrees}]",
                  {.least = -90, .most = 90, .open = true})
-          .more("The controller does not know the tilt. The two axes of rotation pass through the"
-                " surface's point. The rotation about the second tangent is applied first")
+          .more("The controller does not know the tilt. Both axes of rotation pass through the "
+                "reference point of the surface. The rotation about the second tangent is applied"
+                " first")
           .field("surface_height", &S::surface_height,
                  "Offset of the plant's surface along its normal [{m}]")
           .more("The offset is applied before the tilt")

@@ -92,8 +92,8 @@ const Description& description_of(const DdpSummary* /*of*/) {
                  "Largest gap in the returned trajectory, between the end of a step and the next "
                  "state")
           .field("gap_knot", &S::gap_knot,
-                 "Knot k with the largest gap, between x_k and the end of step k - 1; 0: from the"
-                 " initial state")
+                 "Knot k at which x_k differs most from the end of step k - 1 (k = 0: from the "
+                 "initial state)")
           .field("gap_entry", &S::gap_entry,
                  "Entry of dx with the largest gap")
           .field("violation", &S::violation,
@@ -133,8 +133,7 @@ const Description& description_of(const DdpSummary* /*of*/) {
           .field("row", &S::row,
                  "Constraint row that is not finite; -1: none")
           .field("in_derivatives", &S::in_derivatives,
-                 "True if the derivatives are not finite, but the values are; only for "
-                 "NotEvaluated")
+                 "True if values are finite but derivatives are not finite; only for NotEvaluated")
           .field("control", &S::control,
                  "First control whose pivot in the control Hessian Quu is not positive; only for "
                  "NotPositiveDefinite")
@@ -193,7 +192,8 @@ const Description& description_of(const CostReport::Row* /*of*/) {
   static const Description all =
       Describe<S>("solver", "LimitedRow",
                   "A constraint row at its worst knot: the knot with the largest violation. If "
-                  "the row is never violated, the worst knot is the one closest to a limit.")
+                  "the row is never violated, the worst knot is the knot at which the row is "
+                  "closest to a limit.")
           .result()
           .field("name", &S::name,
                  "Name of the row, as in Problem.row_names")
@@ -203,8 +203,8 @@ const Description& description_of(const CostReport::Row* /*of*/) {
           .field("lower", &S::lower)
           .field("upper", &S::upper)
           .field("violation", &S::violation,
-                 "Violation of the limits; within the limits, minus the distance to the nearest "
-                 "limit")
+                 "Violation of the limits; negative within them: minus the distance to the "
+                 "nearest limit")
           .field("scale", &S::scale,
                  "Characteristic size of the row, in the row's unit")
           .field("multiplier", &S::multiplier,
@@ -357,8 +357,8 @@ const Description& description_of(const LimitOptions* /*of*/) {
           .field("interior_after", &S::interior_after,
                  "Number of factorizations in an iteration before an interior-point method starts",
                  {.least = 0})
-          .more("The interior-point method searches the active set. It starts only if at least 20"
-                " factorizations of max_factorizations are left. It uses at most 80 "
+          .more("The interior-point method finds the active set. It starts only if at least 20 "
+                "factorizations of max_factorizations are left. It uses at most 80 "
                 "factorizations, and usually only 10 to 20 of them. With 0, it starts immediately"
                 " if there are no multipliers for a warm start")
           .field("l1_weight", &S::l1_weight,
@@ -442,21 +442,22 @@ const Description& description_of(const DdpOptions* /*of*/) {
                  "Number of segments of the horizon that the Riccati recursion processes in "
                  "parallel",
                  {.least = 1, .most = 1024})
-          .more("For long horizons and several cores; docs/performance.md, \"Threads\", says when"
-                " segments are faster. Segments take up to three times the operations of a single"
-                " sweep. The best number is usually threads + 1. With 1 or 2 segments, or with "
-                "bounds on controls, a single sweep runs from the end to the start. There must be"
-                " fewer segments than knots. Gains and values equal the results of a single sweep"
-                " up to rounding. For a given number of segments, results are identical bit for "
-                "bit for any number of threads")
+          .more("Useful for long horizons and several cores; docs/performance.md, \"Threads\", "
+                "says when segments are faster. Segments take up to three times the operations of"
+                " a single sweep. The best number is usually threads + 1. With 1 or 2 segments, "
+                "or with bounds on controls, a single sweep runs from the end to the start. The "
+                "number of segments must be less than the number of knots. Gains and values equal"
+                " the results of a single sweep up to rounding. For a given number of segments, "
+                "results are identical bit for bit for any number of threads")
           .field("stop_tolerance", &S::stop_tolerance,
                  "Convergence tolerance of the expected improvement, in units of cost",
                  {.least = 0})
-          .more("Converged if feasible and expected improvement < stop_tolerance")
+          .more("The condition is expected improvement < stop_tolerance, with a feasible "
+                "trajectory")
           .field("gap_tolerance", &S::gap_tolerance,
                  "Largest gap between the knots of a feasible trajectory",
                  {.least = 0})
-          .more("Feasible if |entry| <= gap_tolerance for all entries of all gaps")
+          .more("The condition is |entry| <= gap_tolerance for all entries of all gaps")
           .field("line_search", &S::line_search)
           .field("limits", &S::limits)
           .field("regularization", &S::regularization)

@@ -15,8 +15,8 @@ const Description& description_of(const ForceProfile* /*of*/) {
                  "Shape of the force over time: constant, steps, lines or sine")
           .field("points", &S::points,
                  "Points of steps and lines: [[time on the path in s, force in N], ...]")
-          .more("Kind steps uses the task's force until the first point. Kind lines starts with a"
-                " line from the task's force at time 0 to the first point.")
+          .more("The kind `steps` uses the task's force until the first point. The kind `lines` "
+                "starts with a straight line from the task's force at time 0 to the first point.")
           .field("amplitude", &S::amplitude,
                  "Amplitude of the sine about the force of the task [{N}]",
                  {.least = 0})
@@ -294,9 +294,9 @@ const Description& description_of(const RestingHand* /*of*/) {
   using S = RestingHand;
   static const Description all =
       Describe<S>("polishing", "RestingHand",
-                  "Second hand that rests on a plane fixed in the world, while a robot that "
-                  "stands polishes. The plane touches the hand at the start. The hand stays in "
-                  "contact in all phases.")
+                  "Second hand of a standing robot. During polishing, the hand rests on a plane "
+                  "that is fixed in the world. The plane touches the hand at the start. The hand "
+                  "stays in contact in all phases.")
           .field("frame", &S::frame,
                  "Frame of the resting hand; its origin is the centre of the round tip (none: no "
                  "hand rests)")
@@ -336,9 +336,9 @@ const Description& description_of(const Weights* /*of*/) {
   using S = Weights;
   static const Description all =
       Describe<S>("polishing", "Weights",
-                  "Cost weights. Costs are integrated over the horizon in seconds. Doubling the "
-                  "weight of a term halves the part of its error that is caused by the other "
-                  "terms.")
+                  "Cost weights. Each cost is integrated over the horizon, with time in s. "
+                  "Doubling the weight of a term halves the part of its error that is caused by "
+                  "the other terms.")
           .field("force", &S::force,
                  "Weight on errors of the normal force [{1/N^2}]",
                  {.least = 0})
@@ -385,9 +385,9 @@ const Description& description_of(const Verdict* /*of*/) {
                  "Smallest allowed time in contact, as a fraction of the whole time",
                  {.least = 0, .most = 1})
           .field("force_rmse", &S::force_rmse,
-                 "Largest allowed rms force error, as a fraction of the task's force (or never)",
+                 "Allowed rms force error, as a fraction of the task's force (never: no limit)",
                  {.least = 0, .open = true, .infinite = true})
-          .more("The force is averaged over 10 ms. The value never (infinite) allows any error.")
+          .more("The force is averaged over 10 ms. The word `never` stands for infinite.")
           .field("path_share", &S::path_share,
                  "Smallest allowed fraction of the path's length on which the tip is over its "
                  "target",
@@ -402,17 +402,17 @@ const Description& description_of(const Task* /*of*/) {
   using S = Task;
   static const Description all =
       Describe<S>("polishing", "Task",
-                  "Task of polishing a surface along a path. The members are all keys of a task "
+                  "Task of polishing a surface along a path. The members are the keys of a task "
                   "file, with their defaults.")
           .field("robot", &S::robot,
                  "Name, folder or settings file of the robot, optionally with :variant")
           .field("posture", &S::posture,
-                 "Starting posture: a name from the robot's settings, or search (find one for the"
-                 " surface)")
+                 "Starting posture: a name from the robot's settings, or `search` (find one for "
+                 "the surface)")
           .more("The starting posture is also the posture target in the null space. The search is"
                 " made by find_posture(). If the name is empty, the robot's default posture is "
-                "used, or a search if the robot has no default posture. A posture is also "
-                "searched if the robot lacks the posture that belongs to a named surface.")
+                "used; if there is none, a posture is searched. A posture is also searched if the"
+                " robot lacks the posture that belongs to a named surface.")
           .field("assume_rotors", &S::assume_rotors,
                  "Add a rotor inertia (armature) of 2 ms * effort / velocity to joints whose "
                  "rotor is missing")
@@ -440,9 +440,9 @@ const Description& description_of(const Task* /*of*/) {
           .field("tip_radius", &S::tip_radius,
                  "Radius of the round tip [{m}]",
                  {.least = 0, .open = true})
-          .group("The controller knows where the surface is, but not its friction and stiffness.\nOne"
-             " word can replace all keys and set posture, normal and point:\ntable, board, "
-             "board_x, board_y, board_minus_y, tilt_45.", "surface")
+          .group("The controller knows where the surface is, but not its friction and stiffness.\nThe"
+             " name of a surface can replace all keys, and sets posture, normal and point. The "
+             "names are\ntable, board, board_x, board_y, board_minus_y and tilt_45.", "surface")
           .field("surface_frame", &S::surface_frame,
                  "Frame that carries the surface: world, or a frame of the robot such as its "
                  "other hand")
@@ -457,17 +457,18 @@ const Description& description_of(const Task* /*of*/) {
                 " need not have unit length.")
           .key("normal")
           .field("point_base", &S::point_base,
-                 "Position [x, y, z] of any point on the surface [{m}]; or under_tool: "
-                 "`clearance` below the tool")
-          .more("The position is in the frame `surface_frame`. Without a value (under_tool), the "
-                "point is below the tool's position at the start.")
+                 "Position [x, y, z] of any point on the surface (under_tool: `clearance` below "
+                 "the tool) [{m}]")
+          .more("The position is in the frame `surface_frame`. With `under_tool`, the point is "
+                "below the tool's position at the start.")
           .key("point")
           .word("under_tool")
           .field("extent", &S::extent,
-                 "Width of the surface beyond the path on all four sides (or endless) [{m}]",
+                 "Width of the surface beyond the path on all four sides (endless: no edges) "
+                 "[{m}]",
                  {.least = 0, .infinite = true})
-          .more("The surface is a square about the path's origin. The value endless is infinite: "
-                "the surface is then a whole plane.")
+          .more("The surface is a square about the path's origin. The word `endless` stands for "
+                "infinite; the surface is then a whole plane.")
           .word("endless")
           .field("friction", &S::friction,
                  "Coulomb friction coefficient, unless disturbances.surface_friction states "
@@ -493,8 +494,8 @@ const Description& description_of(const Task* /*of*/) {
           .field("standing", &S::standing,
                  "Feet and ground of a robot with a floating base.")
           .field("rest", &S::rest,
-                 "Second hand that rests on a fixed plane in all phases, if the robot "
-                 "stands.\nThe plane touches the hand in the starting posture.")
+                 "Second hand of a standing robot, which rests on a fixed plane in all "
+                 "phases.\nThe plane touches the hand in the starting posture.")
           .field("path", &S::path,
                  "Path in the plane of the surface. The path begins at rest at the point below "
                  "the tool's position at the start.")
@@ -536,7 +537,7 @@ const Description& description_of(const Task* /*of*/) {
                  "Time between the first two knots of the plan [{s}]",
                  {.least = 0, .open = true})
           .field("knots", &S::knots,
-                 "Number of knots in the plan (0: one every `step`)",
+                 "Number of knots in the plan (0: one knot per `step`)",
                  {.least = 0})
           .more("The steps between knots grow to cover the horizon. With 0, all steps are equal.")
           .field("update_rate", &S::update_rate,
@@ -548,8 +549,8 @@ const Description& description_of(const Task* /*of*/) {
           .field("timing", &S::timing,
                  "When a new plan is used: fixed (after solver_delay), measured (after its "
                  "computing time) or thread")
-          .more("With measured, a simulation also delays the plan by its computing time. With "
-                "thread, a separate thread computes plans, and a plan is used as soon as it is "
+          .more("With `measured`, a simulation also delays the plan by its computing time. With "
+                "`thread`, a separate thread computes plans, and a plan is used as soon as it is "
                 "ready.")
           .field("solver_delay", &S::solver_delay,
                  "Time from a measurement to the use of the plan computed from the measurement "
@@ -591,16 +592,16 @@ const Description& description_of(const Task* /*of*/) {
           .field("axes", &S::axes,
                  "Axes of contact and force: surface, local (fixed to the tool) or world")
           .field("weights", &S::weights,
-                 "Cost weights; costs are integrated over the horizon in seconds. Only ratios of "
-                 "weights matter.\nA larger weight reduces the error of its own term and "
-                 "increases the errors of the other terms.")
+                 "Cost weights; each cost is integrated over the horizon, with time in s. Only "
+                 "ratios of weights matter.\nA larger weight reduces the error of its own term "
+                 "and increases the errors of the other terms.")
           .field("constraints", &S::constraints,
                  "Hard constraints of plans; `never` switches a constraint off.")
           .field("model_error", &S::model_error,
                  "Estimation of model errors from measurements. Each plan includes the estimate.")
           .field("surface_estimate", &S::surface_estimate,
                  "Estimation of the surface from the motion of the tip. Plans use the estimate "
-                 "only if `axes` is surface.")
+                 "only if `axes` is `surface`.")
           .field("friction_estimate", &S::friction_estimate,
                  "Friction coefficient between tool and surface that plans assume, and its "
                  "estimation.")
@@ -613,9 +614,9 @@ const Description& description_of(const Task* /*of*/) {
                  "Normal force above which the tool counts as in contact [{N}]",
                  {.least = 0, .open = true, .infinite = true})
           .more("The noise of the force is measured in free air. If six standard deviations of "
-                "the noise exceed the threshold, the force is averaged over 5 ms. Contact then "
-                "requires that the average exceeds both the threshold and six standard deviations"
-                " of the average.")
+                "the noise exceed the threshold, the force is averaged over 5 ms. For contact, "
+                "the average must then exceed the threshold, and also six standard deviations of "
+                "the noise that is left after averaging.")
           .group("")
           .field("fallback", &S::fallback,
                  "Controller after a fault: gravity compensation, a damper, and a spring of "
@@ -626,10 +627,10 @@ const Description& description_of(const Task* /*of*/) {
                  "Gains of the controller `admittance`: force loop, inverse kinematics and joint "
                  "position loop.")
           .field("disturbances", &S::disturbances,
-                 "Disturbances that the controller does not know.\nIn a task file, one word can "
-                 "replace all keys: none, sensors, mismatch or joint_friction.\nWith the key "
-                 "`preset` and one of these words, only keys that differ from the preset are "
-                 "needed.");
+                 "Disturbances that the controller does not know.\nIn a task file, one of the "
+                 "words none, sensors, mismatch and joint_friction can replace all keys.\nWith "
+                 "the key `preset` and one of these words, only keys that differ from the preset "
+                 "are needed.");
   return all;
 }
 

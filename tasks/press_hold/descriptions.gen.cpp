@@ -11,14 +11,14 @@ const Description& description_of(const Task* /*of*/) {
   static const Description all =
       Describe<S>("press_hold", "Task",
                   "Task of pressing at a point while the rest of the arm moves aside. The members"
-                  " are all keys of a task file, with their defaults.")
+                  " are the keys of a task file, with their defaults.")
           .field("robot", &S::robot,
                  "Name, folder or settings file of the robot, optionally with :variant")
           .field("posture", &S::posture,
-                 "Starting posture: a name from the robot's settings, or search (find one for the"
-                 " surface)")
-          .more("If empty, the robot's default posture is used, or a search if the robot has no "
-                "default posture.")
+                 "Starting posture: a name from the robot's settings, or `search` (find one for "
+                 "the surface)")
+          .more("If empty, the robot's default posture is used; if there is none, a posture is "
+                "searched.")
           .field("force", &S::force,
                  "Normal force that the tool presses with [{N}]",
                  {.least = 0, .open = true})
@@ -50,9 +50,10 @@ const Description& description_of(const Task* /*of*/) {
           .more("The normal points out of the material. It need not have unit length.")
           .key("normal")
           .field("extent", &S::extent,
-                 "Distance from the pressed point to the surface's four edges (or endless) [{m}]",
+                 "Distance from the pressed point to the surface's four edges (endless: no edges)"
+                 " [{m}]",
                  {.least = 0, .open = true, .infinite = true})
-          .more("The value endless is infinite: the surface is then a whole plane.")
+          .more("The word `endless` stands for infinite; the surface is then a whole plane.")
           .word("endless")
           .field("friction", &S::friction,
                  "Coulomb friction coefficient, unless disturbances.surface_friction states "
@@ -101,7 +102,7 @@ const Description& description_of(const Task* /*of*/) {
                  "Assumed delay from a measurement to the tick that receives it [{s}]",
                  {.least = 0, .most = 0.1})
           .field("posture_weight", &S::posture_weight,
-                 "Weight on errors of joint angles relative to the motion aside [{1/rad^2}]",
+                 "Weight on deviations of joint angles from the motion aside [{1/rad^2}]",
                  {.least = 0, .open = true})
           .more("For comparison, the weight on the tool's position is 1e4 1/m^2.")
           .field("constraints", &S::constraints,
@@ -115,18 +116,18 @@ const Description& description_of(const Task* /*of*/) {
                  "Normal force above which the tool counts as in contact [{N}]",
                  {.least = 0, .open = true, .infinite = true})
           .more("The noise of the force is measured in free air. If six standard deviations of "
-                "the noise exceed the threshold, the force is averaged over 5 ms. Contact then "
-                "requires that the average exceeds both the threshold and six standard deviations"
-                " of the average.")
+                "the noise exceed the threshold, the force is averaged over 5 ms. For contact, "
+                "the average must then exceed the threshold, and also six standard deviations of "
+                "the noise that is left after averaging.")
           .field("slip", &S::slip,
                  "Largest distance that the tool may slide away from the pressed point [{m}]",
                  {.least = 0, .open = true, .infinite = true})
           .group("")
           .field("disturbances", &S::disturbances,
-                 "Disturbances that the controller does not know.\nIn a task file, one word can "
-                 "replace all keys: none, sensors, mismatch or joint_friction.\nWith the key "
-                 "`preset` and one of these words, only keys that differ from the preset are "
-                 "needed.");
+                 "Disturbances that the controller does not know.\nIn a task file, one of the "
+                 "words none, sensors, mismatch and joint_friction can replace all keys.\nWith "
+                 "the key `preset` and one of these words, only keys that differ from the preset "
+                 "are needed.");
   return all;
 }
 
@@ -143,8 +144,8 @@ const Description& description_of(const Setting* /*of*/) {
                  "angles")
           .required()
           .field("q_aside", &S::q_aside,
-                 "Configuration with the arm moved aside, nq entries, where the reference of the "
-                 "joint angles ends")
+                 "Configuration with the arm moved aside, nq entries; also the last reference of "
+                 "the joint angles")
           .required()
           .field("scene", &S::scene,
                  "Tip and surface as the controller assumes them")

@@ -70,16 +70,17 @@ const Description& description_of(const AdmittanceSpec* /*of*/) {
                   "Controller with two loops, as for arms with a position interface. The outer "
                   "loop turns the force error into a motion of the tool along the surface's "
                   "normal n. Inverse kinematics turn this motion into joint positions q_c, which "
-                  "the inner loop tracks. Outer loop: l (mass dv_n/dt + damping v_n) = (f - "
-                  "f_path) + ki * integral of (f - f_path). f is the low-pass filtered force "
-                  "along n, v_n the commanded speed along n, and l the tool's inertia along n. "
-                  "The tool's velocity is v_n n along n, and v_path + path_gain (p_path - p) "
+                  "the inner loop tracks. Outer loop: the commanded speed v_n along n solves l "
+                  "(mass dv_n/dt + damping v_n) = (f - f_path) + ki * integral of (f - f_path), "
+                  "where f is the low-pass filtered force along n, and l the tool's inertia along"
+                  " n. The tool's velocity is v_n n along n, and v_path + path_gain (p_path - p) "
                   "along the surface. f_path, p_path and v_path are the targets of force, "
                   "position and velocity, and p is the tip's position at q_c. Damped least "
-                  "squares compute dq_c/dt from the tool's velocity. Inner loop, `delay` later: "
-                  "tau = M (joint_kp (q_c - q) + joint_kd (dq_c/dt - v) + joint_ki * integral of "
-                  "(q_c - q)) + b. M is the mass matrix and b the bias torques. Both integrals "
-                  "are bounded, restart at contact, and pause while a torque is at its limit.")
+                  "squares compute dq_c/dt from the tool's velocity. The inner loop computes, "
+                  "`delay` later, the torques tau = M (joint_kp (q_c - q) + joint_kd (dq_c/dt - "
+                  "v) + joint_ki * integral of (q_c - q)) + b. M is the mass matrix and b the "
+                  "bias torques. Both integrals are bounded, restart at contact, and pause while "
+                  "a torque is at its limit.")
           .field("path", &S::path,
                  "Approach, force and path of the tool")
           .field("gains", &S::gains,
@@ -94,8 +95,7 @@ const Description& description_of(const HomeSpec* /*of*/) {
                   "Home posture, in which a run begins. The robot moves from home to the start of"
                   " its task.")
           .field("posture", &S::posture,
-                 "Named posture in which the run begins (without a name: in the starting posture "
-                 "of the task)")
+                 "Named posture in which the run begins (none: the starting posture of the task)")
           .word("none")
           .field("joints", &S::joints,
                  "Joint positions that differ from the named posture, in rad (m): {joint: "
@@ -296,7 +296,7 @@ const Words& words_of(Touch /*of*/) {
       {{"free", "no contact: a large force is a fault, a smaller force is sensor noise"},
        {"due", "the tool approaches until contact; the phase has SchedulePhase.until \"contact\""},
        {"wanted", "the tool presses"},
-       {"leaving", "the tool leaves the surface; it counts as free without force, or after "
+       {"leaving", "the tool leaves the surface; it counts as free when the force is gone, or after "
         "ToolLimits.release"}}};
   return all;
 }
@@ -306,12 +306,12 @@ const Description& description_of(const ToolLimits* /*of*/) {
   static const Description all =
       Describe<S>("pressing", "ToolLimits",
                   "Limits on force and motion at the tool. A run is aborted if a limit is "
-                  "exceeded. Infinite: no limit.")
+                  "exceeded. An infinite value switches a limit off.")
           .field("force", &S::force,
                  "Largest mean force at the tool over force_window [{N}]",
                  {.least = 0, .open = true, .infinite = true})
-          .more("The force of a rigid impact at a single instant says little, because it is the "
-                "impulse divided by the sampling time.")
+          .more("A single sample of the force says little about a rigid impact: the sample is the"
+                " impulse divided by the sampling time.")
           .field("force_window", &S::force_window,
                  "Averaging time of the force [{s}]",
                  {.least = 0})
@@ -326,19 +326,19 @@ const Description& description_of(const ToolLimits* /*of*/) {
                  "Largest travel along the normal after the planned time of contact [{m}]",
                  {.least = 0, .open = true, .infinite = true})
           .more("The limit is the largest distance of the surface behind its assumed position. "
-                "The travel counts from the time at which the schedule's clock stopped to wait "
-                "for contact. The clock stops at SchedulePhase.hold before the planned contact.")
+                "The travel counts from the time when the schedule's clock stops and waits for "
+                "contact. The clock stops SchedulePhase.hold seconds before the planned contact.")
           .field("late_contact_time", &S::late_contact_time,
                  "Longest wait for contact after the planned time of contact [{s}]",
                  {.least = 0, .open = true, .infinite = true})
-          .more("The wait begins when the schedule's clock stops to wait for contact.")
+          .more("The wait begins when the schedule's clock stops and waits for contact.")
           .field("unexpected_force", &S::unexpected_force,
                  "Largest mean force in free space over force_window [{N}]",
                  {.least = 0, .open = true, .infinite = true})
           .more("The limit applies to phases without contact. It also applies to a retreat after "
                 "the force fell below the contact threshold, or after the time `release`. If six "
-                "standard deviations of the noise of the mean exceed this limit, they replace the"
-                " limit.")
+                "standard deviations of the mean's noise are above this limit, they are the limit"
+                " instead.")
           .field("release", &S::release,
                  "Longest time until a retreating tool counts as free [{s}]",
                  {.least = 0, .open = true, .infinite = true});
@@ -349,7 +349,7 @@ const Description& description_of(const PlanLimits* /*of*/) {
   using S = PlanLimits;
   static const Description all =
       Describe<S>("pressing", "PlanLimits",
-                  "Hard constraints of plans. Infinite: no constraint.")
+                  "Hard constraints of plans. An infinite value switches a constraint off.")
           .field("joint_margin", &S::joint_margin,
                  "Smallest distance of joints from their position limits [{rad (m)}]",
                  {.least = 0, .infinite = true})
@@ -393,11 +393,11 @@ const Description& description_of(const PressedSurface* /*of*/) {
                   "Assumed position and shape of the surface under a round tip. The online "
                   "estimate of the surface starts from these assumptions.")
           .field("shape", &S::shape,
-                 "Shape of the surface about its point")
+                 "Surface shape about `point_base`")
           .field("point_base", &S::point_base,
                  "Point on the surface [{m}]")
           .field("normal_base", &S::normal_base,
-                 "Normal of the surface at its point",
+                 "Normal of the surface at `point_base`",
                  {.direction = true})
           .more("The normal need not have unit length.")
           .field("tip_radius", &S::tip_radius,
@@ -413,8 +413,8 @@ const Description& description_of(const PressingTask* /*of*/) {
   static const Description all =
       Describe<S>("pressing", "PressingTask",
                   "Task of an MpcSpec that presses with a tool. The task raises the event "
-                  "\"contact\" if the measured normal force exceeds the threshold and the noise "
-                  "of the sensor. The noise is estimated in free air.")
+                  "\"contact\" if the measured normal force exceeds both the contact threshold "
+                  "and the noise of the sensor. The noise is estimated in free air.")
           .field("touch", &S::touch,
                  "Expected contact in each phase of the schedule")
           .field("target", &S::target,
@@ -430,7 +430,7 @@ const Description& description_of(const PressingTask* /*of*/) {
           .field("time_input", &S::time_input,
                  "Scalar input of the problem that receives the schedule's time of the previous "
                  "tick (empty: none)")
-          .more("A signal of inputs can use it to hide the future from plans.");
+          .more("A signal that depends on this input can hide the future from plans.");
   return all;
 }
 
@@ -479,20 +479,20 @@ const Description& description_of(const ReachReport* /*of*/) {
                  "Problem in one sentence, with place, joint, value and allowed value; empty "
                  "without a problem")
           .field("s", &S::s,
-                 "Distance along the path from its start to the problem [{m}]; negative before "
-                 "the path begins")
+                 "Distance along the path from its start to the problem [{m}]; negative if the "
+                 "problem comes before the path")
           .more("The path of a task that holds a point has length zero.")
           .field("p_world", &S::p_world,
                  "Position of the tool at the problem, in the world [{m}]")
           .field("joint", &S::joint,
                  "Joint that causes the problem")
-          .more("The name is empty if the problem is of kind Position, or if the tool's own link "
-                "would touch the surface.")
+          .more("The name is empty for the kind `Position`, and if the tool's own link would "
+                "touch the surface.")
           .field("value", &S::value,
                  "Value that violates `limit`")
-          .more("The value depends on the kind of the problem. Position: position error of the "
-                "tool, in m. Joint: position of the joint, in rad (m). Torque: torque of the "
-                "joint, in Nm (N). Collision: distance from the surface, in m.")
+          .more("The value depends on the kind of the problem. `Position`: position error of the "
+                "tool, in m. `Joint`: position of the joint, in rad (m). `Torque`: torque of the "
+                "joint, in Nm (N). `Collision`: distance from the surface, in m.")
           .field("limit", &S::limit,
                  "Allowed value, in the unit of `value`")
           .field("points", &S::points,
@@ -509,10 +509,11 @@ const Description& description_of(const ReachReport* /*of*/) {
           .field("tightest_torque", &S::tightest_torque,
                  "Joint with the largest static torque, as a fraction of its effort limit")
           .field("force_per_torque", &S::force_per_torque,
-                 "Ratio of the standard deviations of estimated force and joint torques [{1/m}]")
+                 "Error of the estimated force per error of the joint torques, as standard "
+                 "deviations [{1/m}]")
           .more("The force along the normal is estimated from joint torques with independent "
-                "errors. The ratio in N per Nm is the largest one over the points on the surface."
-                " The ratio matters for tasks without a force sensor.")
+                "errors. The value, in N per Nm, is the largest of all points on the surface. It "
+                "matters for tasks without a force sensor.")
           .field("force_joint", &S::force_joint,
                  "Joint that contributes most to force_per_torque")
           .field("clearance", &S::clearance,
@@ -534,7 +535,7 @@ const Description& description_of(const PostureLimits* /*of*/) {
           .field("joint_margin", &S::joint_margin,
                  "Smallest distance of joints from their limits at the start [{rad}]",
                  {.least = 0})
-          .more("In m for prismatic joints.")
+          .more("The unit is m for prismatic joints.")
           .field("body_distance", &S::body_distance,
                  "Smallest distance of the last link from the robot's body [{m}]",
                  {.least = 0})
@@ -608,8 +609,8 @@ const Description& description_of(const Standing* /*of*/) {
                   "each foot. The plant's ground can push a foot but not pull it, and has "
                   "friction.")
           .field("feet", &S::feet,
-                 "Frames of the feet; auto: found in the robot's description; none: the base is "
-                 "fixed")
+                 "Frames of the feet (auto: found in the robot's description; empty: the base is "
+                 "fixed)")
           .more("With auto, the sizes of the feet also come from the description.")
           .word("auto")
           .field("half_x", &S::half_x,
@@ -646,8 +647,8 @@ const Description& description_of(const Standing* /*of*/) {
                  "sides",
                  {.least = 0, .most = 1})
           .field("min_load", &S::min_load,
-                 "Smallest load of each foot in plans (automatic: 0.09 times the weight per foot)"
-                 " [{N}]",
+                 "Smallest load of each foot in plans (automatic: 0.09 times the feet's mean "
+                 "load) [{N}]",
                  {.least = 0})
           .word("auto")
           .field("balance", &S::balance,
@@ -669,8 +670,8 @@ const Description& description_of(const Standing* /*of*/) {
                  "Damping of the contact constraint of the feet (Baumgarte) [{1/s}]",
                  {.least = 0})
           .field("estimate", &S::estimate,
-                 "Estimate the base from an inertial unit, joints and feet; false: measure it "
-                 "directly")
+                 "Estimate the base's state from an inertial unit, joints and feet; false: "
+                 "measure it directly")
           .field("imu_frame", &S::imu_frame,
                  "Frame of the inertial unit; empty: the body of the base")
           .field("fallback", &S::fallback,
@@ -680,7 +681,7 @@ const Description& description_of(const Standing* /*of*/) {
           .field("hoist", &S::hoist,
                  "Time at the start in which a hoist transfers the weight to the feet [{s}]",
                  {.least = 0})
-          .more("The time is at most `settle`.")
+          .more("A time longer than `settle` is shortened to `settle`.")
           .field("slip", &S::slip,
                  "Reaction of plans to a slipping foot")
           .field("settle", &S::settle,

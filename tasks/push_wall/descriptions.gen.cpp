@@ -10,7 +10,7 @@ const Description& description_of(const Weights* /*of*/) {
   using S = Weights;
   static const Description all =
       Describe<S>("push_wall", "Weights",
-                  "Cost weights. Costs are integrated over the horizon in seconds.")
+                  "Cost weights. Each cost is integrated over the horizon, with time in s.")
           .field("force", &S::force,
                  "Weight on errors of the normal force of each hand [{1/N^2}]",
                  {.least = 0})
@@ -96,7 +96,7 @@ const Description& description_of(const ForceSearch* /*of*/) {
           .field("force_max", &S::force_max,
                  "Force of each hand at which the search stops at the latest [{N}]",
                  {.least = 0, .open = true, .infinite = true})
-          .more("With the value never (infinite), the search stops at nine tenths of "
+          .more("With the value `never` (infinite), the search stops at nine tenths of "
                 "limits.force.")
           .field("reserve", &S::reserve,
                  "Additional force that the posture must be able to support, as a fraction of the"
@@ -110,7 +110,7 @@ const Description& description_of(const ForceSearch* /*of*/) {
           .field("slip", &S::slip,
                  "Largest distance that a hand or foot may slide within about a second [{m}]",
                  {.least = 0, .open = true})
-          .more("Slow creep does not count, for example of feet on compliant ground.")
+          .more("Slow creep, for example of feet on compliant ground, does not count.")
           .field("hold_fraction", &S::hold_fraction,
                  "Force held after the search, as a fraction of the force where the search ended",
                  {.least = 0, .most = 1})
@@ -139,7 +139,7 @@ const Description& description_of(const Task* /*of*/) {
   using S = Task;
   static const Description all =
       Describe<S>("push_wall", "Task",
-                  "Task of pushing with both hands against a wall. The members are all keys of a "
+                  "Task of pushing with both hands against a wall. The members are the keys of a "
                   "task file, with their defaults.")
           .field("robot", &S::robot,
                  "Name, folder or settings file of the robot, optionally with :variant")
@@ -219,9 +219,9 @@ const Description& description_of(const Task* /*of*/) {
           .more("The steps between knots grow to cover the horizon.")
           .group("")
           .field("weights", &S::weights,
-                 "Cost weights; costs are integrated over the horizon in seconds. Only ratios of "
-                 "weights matter.\nA larger weight reduces the error of its own term and "
-                 "increases the errors of the other terms.")
+                 "Cost weights; each cost is integrated over the horizon, with time in s. Only "
+                 "ratios of weights matter.\nA larger weight reduces the error of its own term "
+                 "and increases the errors of the other terms.")
           .field("model_error", &S::model_error,
                  "Estimation of model errors from measurements. Each plan includes the estimate.")
           .field("constraints", &S::constraints,
@@ -252,10 +252,10 @@ const Description& description_of(const Task* /*of*/) {
           .field("limits", &S::limits)
           .group("")
           .field("disturbances", &S::disturbances,
-                 "Disturbances that the controller does not know.\nIn a task file, one word can "
-                 "replace all keys: none, sensors, mismatch or joint_friction.\nWith the key "
-                 "`preset` and one of these words, only keys that differ from the preset are "
-                 "needed.");
+                 "Disturbances that the controller does not know.\nIn a task file, one of the "
+                 "words none, sensors, mismatch and joint_friction can replace all keys.\nWith "
+                 "the key `preset` and one of these words, only keys that differ from the preset "
+                 "are needed.");
   return all;
 }
 
@@ -292,8 +292,9 @@ const Description& description_of(const Setting* /*of*/) {
                 " the force changes.")
           .required()
           .field("room", &S::room,
-                 "Distance of the centre of pressure at the start from the middle of the feet, "
-                 "positive towards the wall, at least 0 [{m}]")
+                 "Distance at the start from the middle of the feet to the centre of pressure, "
+                 "towards the wall [{m}]; 0 if the centre of pressure is farther from the wall "
+                 "than the middle")
           .field("touch", &S::touch,
                  "Schedule time of the planned contact [{s}]")
           .field("ramp_end", &S::ramp_end,

@@ -38,7 +38,7 @@ const Description& description_of(const Weights* /*of*/) {
   using S = Weights;
   static const Description all =
       Describe<S>("stand", "Weights",
-                  "Cost weights. Costs are integrated over the horizon in seconds.")
+                  "Cost weights. Each cost is integrated over the horizon, with time in s.")
           .field("posture", &S::posture,
                  "Weight on joint angles relative to the starting posture [{1/rad^2}]",
                  {.least = 0})
@@ -59,15 +59,15 @@ const Description& description_of(const Task* /*of*/) {
   using S = Task;
   static const Description all =
       Describe<S>("stand", "Task",
-                  "Task of standing on the feet while the trunk sways. The members are all keys "
+                  "Task of standing on the feet while the trunk sways. The members are the keys "
                   "of a task file, with their defaults.")
           .field("robot", &S::robot,
                  "Name, folder or settings file of the robot, optionally with :variant")
           .field("posture", &S::posture,
-                 "Starting posture: a name from the robot's settings, or search (find one with "
+                 "Starting posture: a name from the robot's settings, or `search` (find one with "
                  "bent legs)")
-          .more("If empty, the robot's default posture is used, or a search if the robot has no "
-                "default posture.")
+          .more("If empty, the robot's default posture is used; if there is none, a posture is "
+                "searched.")
           .field("crouch", &S::crouch,
                  "Drop of the base in a searched posture, as a fraction of the base's height",
                  {.least = 0, .most = 1, .below = true})
@@ -78,7 +78,7 @@ const Description& description_of(const Task* /*of*/) {
                  "Sway of the trunk: a sine in each direction that begins and ends smoothly.\nThe"
                  " axes are level: x points forwards (as the base does at the start), y to the "
                  "left, z up.")
-          .group("Stand, sway, then stand at the start again.", "phases")
+          .group("Stand, sway, then stand in the starting posture again.", "phases")
           .field("settle_duration", &S::settle_duration,
                  "Time to stand before the sway [{s}]",
                  {.least = 0, .open = true})
@@ -119,9 +119,9 @@ const Description& description_of(const Task* /*of*/) {
           .more("The steps between knots grow to cover the horizon.")
           .group("")
           .field("weights", &S::weights,
-                 "Cost weights; costs are integrated over the horizon in seconds. Only ratios of "
-                 "weights matter.\nA larger weight reduces the error of its own term and "
-                 "increases the errors of the other terms.")
+                 "Cost weights; each cost is integrated over the horizon, with time in s. Only "
+                 "ratios of weights matter.\nA larger weight reduces the error of its own term "
+                 "and increases the errors of the other terms.")
           .field("model_error", &S::model_error,
                  "Estimation of model errors from measurements. Each plan includes the estimate.")
           .field("constraints", &S::constraints,
@@ -142,10 +142,10 @@ const Description& description_of(const Task* /*of*/) {
           .field("limits", &S::limits)
           .group("")
           .field("disturbances", &S::disturbances,
-                 "Disturbances that the controller does not know.\nIn a task file, one word can "
-                 "replace all keys: none, sensors, mismatch or joint_friction.\nWith the key "
-                 "`preset` and one of these words, only keys that differ from the preset are "
-                 "needed.");
+                 "Disturbances that the controller does not know.\nIn a task file, one of the "
+                 "words none, sensors, mismatch and joint_friction can replace all keys.\nWith "
+                 "the key `preset` and one of these words, only keys that differ from the preset "
+                 "are needed.");
   return all;
 }
 
@@ -159,7 +159,7 @@ const Description& description_of(const Setting* /*of*/) {
           .required()
           .field("standing", &S::standing,
                  "Feet and ground that the robot stands on")
-          .more("If the task states auto, or only frames that the robot lacks, detected feet "
+          .more("If the task states `auto`, or only frames that the robot lacks, detected feet "
                 "replace the feet of the task.")
           .required()
           .field("q_start", &S::q_start,

@@ -9,8 +9,9 @@
 
 namespace burnish {
 
-/// Exception for a specification, a file or an argument that cannot be used. It is thrown during
-/// setup only. Functions for use inside a control loop return a Status instead.
+/// Exception for a specification, a file or an argument that cannot be used. Functions for use
+/// inside a control loop return a Status for bad numbers. They throw Error only for wrong calls,
+/// such as with an unknown index.
 ///
 /// Each sentence of the message is one line of valid UTF-8. In text that is quoted from a file,
 /// blanks replace control characters, and question marks replace invalid bytes. Text beyond 4000
@@ -18,12 +19,12 @@ namespace burnish {
 class Error : public std::runtime_error {
  public:
   explicit Error(const std::string& sentence);
-  /// Creates an Error that lists problems of one object, at most 50. For one problem, what() is
+  /// Creates an Error that lists at most 50 problems of one object. For one problem, what() is
   /// "origin: problem". For several, what() is "origin: 3 problems: (1) problem (2) ...". If
   /// `origin` is empty, "origin: " is left out.
   Error(const std::string& origin, const std::vector<std::string>& problems);
 
-  /// Returns the problems, one sentence each. If there is only one sentence, it equals what().
+  /// Returns the problems, one sentence each. A single sentence equals what().
   const std::vector<std::string>& sentences() const noexcept { return *sentences_; }
 
  private:
@@ -35,9 +36,9 @@ class Error : public std::runtime_error {
 /// if no entry is within 1 + name.size() / 3 edits, or if `name` is longer than 200 bytes.
 std::string nearest_name(std::string_view name, const std::vector<std::string>& known);
 
-/// Returns "; did you mean 'x'?" if nearest_name() finds a similar name x, else an empty string. If
-/// `name` was renamed after version 0.3 and the new name x is in `known`, returns "; 'name' is now
-/// called 'x'" instead.
+/// Returns "; did you mean 'x'?" if nearest_name() finds a similar name x. Returns an empty string
+/// if it finds none. If `name` was renamed after version 0.3 and the new name x is in `known`,
+/// returns "; 'name' is now called 'x'" instead.
 std::string did_you_mean(std::string_view name, const std::vector<std::string>& known);
 
 }  // namespace burnish

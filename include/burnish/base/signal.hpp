@@ -14,14 +14,14 @@ namespace burnish {
 class InputValues {
  public:
   InputValues() = default;
-  /// `first`: index in `values` of each input's first entry, followed by the number of all entries.
-  /// Both must outlive the object.
+  /// `first` holds one index per input, at which the input's entries begin in `values`, and then
+  /// the total number of entries. `values` and `first` must outlive this object.
   InputValues(const double* values, std::span<const int> first) : values_(values), first_(first) {}
 
-  /// Returns the entries of an input. The result is empty for an input that does not exist, and for
-  /// a surface or an inertia. A scalar or rotation without a value has entries of zero.
+  /// Returns the entries of an input. Surface and inertia inputs, and inputs that do not exist,
+  /// have no entries. All entries of a scalar or rotation input without a value are zero.
   Eigen::Map<const Eigen::VectorXd> operator[](int input) const;
-  /// Returns the value of a scalar input; NaN if operator[] returns an empty vector.
+  /// Returns the value of a scalar input; NaN if the input has no entries.
   double scalar(int input) const;
 
  private:
@@ -30,7 +30,7 @@ class InputValues {
 };
 
 /// A vector that is constant or a function of time. By default, a Signal is empty. Functions and
-/// members that use a Signal document the meaning of an empty one.
+/// members that use a Signal document the meaning of an empty Signal.
 class Signal {
  public:
   using Function = std::function<void(double time, Eigen::Ref<Eigen::VectorXd> out)>;
@@ -47,12 +47,13 @@ class Signal {
   }
   /// Returns a signal that is a function of time. `function` receives a time [s] and writes `size`
   /// entries. An optimal control problem calls `function` each time that it sets the time of a
-  /// knot. If this happens in a control loop, `function` should not allocate memory. Throws Error
-  /// if `size` is below 1 or `function` is empty.
+  /// knot. A `function` that is used in a control loop should not allocate memory. Throws Error if
+  /// `size` is below 1 or `function` is empty.
   static Signal over_time(int size, Function function);
   /// Returns a signal that is a function of time and of the inputs of an optimal control problem.
-  /// `inputs` has the values at `time`. Evaluations outside of a Problem's knots pass no inputs;
-  /// InputValues::scalar() is then NaN. Otherwise like over_time().
+  /// Besides a time, `function` receives the values of the inputs at this time. Evaluations outside
+  /// of a Problem's knots pass no inputs; InputValues::scalar() is then NaN. All other rules are
+  /// those of over_time().
   static Signal of_inputs(int size, FunctionOfInputs function);
 
   bool empty() const { return constant_.size() == 0 && is_constant(); }

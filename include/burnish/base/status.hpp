@@ -9,8 +9,8 @@ namespace burnish {
 /// Result of an evaluation. Ignoring a returned Status causes a compiler warning.
 enum class [[nodiscard]] Status : std::uint8_t;
 
-/// Outcome of an evaluation, ordered by severity. If several values apply, the most severe one is
-/// returned.
+/// Outcome of an evaluation, ordered by severity. If several outcomes apply, the most severe
+/// outcome is returned.
 /// @described base
 enum class Status : std::uint8_t {
   Ok = 0,

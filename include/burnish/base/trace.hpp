@@ -41,8 +41,8 @@ class Trace {
   int index(std::string_view name) const;
   bool has(std::string_view name) const;
 
-  /// Appends a row of zeros. Returns a pointer to the first entry of the row, which has one entry
-  /// per column. Returns nullptr if the table is full.
+  /// Appends a row of zeros. Returns a pointer to the first of the row's entries, one per column.
+  /// Returns nullptr if the table is full.
   double* add_row() noexcept;
   void clear() noexcept;
 
@@ -51,11 +51,12 @@ class Trace {
   Column column(int index) const;
   Column column(std::string_view name) const { return column(index(name)); }
 
-  /// Writes CSV text: a header line `name [unit],...`, then one line per row. The text determines
-  /// each number exactly. The decimal separator is a point in every locale. A NaN is written as an
-  /// empty cell.
+  /// Writes CSV text: a header line `name [unit],...`, then one line per row. Numbers have enough
+  /// digits to be read back exactly. The decimal separator is a point in every locale. A NaN is
+  /// written as an empty cell.
   void write_csv(std::ostream& out) const;
-  /// Writes the CSV text to a file. Throws Error if the file cannot be written.
+  /// Writes CSV text to a file, as the overload for streams does. Throws Error if the file cannot
+  /// be written.
   void write_csv(const std::filesystem::path& file) const;
 
  private:

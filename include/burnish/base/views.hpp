@@ -3,10 +3,10 @@
 
 #include <Eigen/Core>
 
-// The library and its users exchange Eigen objects. Both must be compiled with the same alignment
-// and the same allocator for Eigen. By default, these two settings depend on -march. With different
-// settings, memory from malloc could be freed by Eigen's aligned allocator, or the reverse, which
-// is an error.
+// The library and its users exchange Eigen objects. The library and its users must therefore be
+// compiled with the same alignment and the same allocator for Eigen. By default, these two settings
+// depend on -march. With different settings, one side could free memory with another allocator than
+// the one that allocated it, which is an error.
 static_assert(EIGEN_MAX_ALIGN_BYTES == 16 && EIGEN_MAX_STATIC_ALIGN_BYTES == 16 &&
                   EIGEN_MALLOC_ALREADY_ALIGNED == 0,
               "burnish is built with EIGEN_MAX_ALIGN_BYTES=16, EIGEN_MAX_STATIC_ALIGN_BYTES=16 and "
@@ -22,7 +22,7 @@ using Vector6 = Eigen::Matrix<double, 6, 1>;
 using ConstVectorRef = Eigen::Ref<const Eigen::VectorXd>;
 using RowMatrix = Eigen::Matrix<double, Eigen::Dynamic, Eigen::Dynamic, Eigen::RowMajor>;
 /// Read-only view of a result, without a copy. The view is valid as long as the object that
-/// returned it.
+/// returned it exists.
 using VectorView = Eigen::Map<const Eigen::VectorXd>;
 using MatrixView = Eigen::Map<const RowMatrix>;
 

@@ -62,8 +62,8 @@ struct SlidingFriction {
   /// Radius of a round tool tip [m], >= 0 @more Friction acts at the tool's origin shifted by this
   /// distance, opposite to the normal.
   double radius = 0.0;
-  /// Scalar input of an optimal control problem that replaces `coefficient` (empty: none), at least
-  /// 0 @more See InputSpec.
+  /// Name of the scalar input of an optimal control problem whose values, at least 0, replace
+  /// `coefficient` (empty: no input) @more See InputSpec.
   std::string coefficient_input = {};
 
   /// Returns `speed`, or 0.01 m/s if `speed` is empty.
@@ -93,8 +93,8 @@ struct ContactSpec {
   /// zero.
   Eigen::Isometry3d target = Eigen::Isometry3d::Identity();
   std::optional<SlidingFriction> friction = {};  ///< Friction on the tool (none: frictionless)
-  /// Surface input of an optimal control problem that replaces the surface of `reference` (empty:
-  /// none) @more The reference must follow a surface. See InputSpec.
+  /// Name of the input of an optimal control problem whose surface replaces the surface of
+  /// `reference` (empty: no input) @more The reference must follow a surface. See InputSpec.
   std::string surface_input = {};
 
   /// Sets kp to `kp_all` [1/s^2] and kd to `kd_all` [1/s] in all directions. Returns this contact.

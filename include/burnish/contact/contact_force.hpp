@@ -18,22 +18,23 @@ struct ContactForce {
   Reference reference;  ///< Origin and axes in which `value` is written
   Vector6 value;        ///< Force (N), then moment about the origin of the reference (Nm)
 
-  /// Rotation matrix from tool axes to world axes @note The rotations and positions belong to the
-  /// robot state of the force. They allow in() to convert the force without the robot.
+  /// Rotation matrix from tool axes to world axes @note All rotations and positions in this struct
+  /// are those at which the force was computed. With them, in() converts the force without the
+  /// robot.
   Eigen::Matrix3d tool_rotation;
   Eigen::Matrix3d base_rotation;  ///< Rotation matrix from base axes to world axes
   Eigen::Vector3d tool_position;  ///< Position of the tool frame in the world [m]
 
   /// Position of the base frame in the world [m]
   Eigen::Vector3d base_position = Eigen::Vector3d::Zero();
-  /// Rotation matrix from a frame to world axes; the axes of the reference are fixed in this frame
+  /// Rotation matrix to world axes, from the frame in which the reference's axes are fixed
   Eigen::Matrix3d frame_rotation = Eigen::Matrix3d::Identity();
   /// Position of the reference's origin in the world [m]
   Eigen::Vector3d frame_position = Eigen::Vector3d::Zero();
 
   /// Returns this wrench, written in the reference `other`. Throws Error if `other` names a frame
-  /// whose pose is not stored here. For such a frame, use ContactDynamics::force(contact,
-  /// reference), which has all frames of the robot.
+  /// whose pose this ContactForce does not store. For such a frame, use
+  /// ContactDynamics::force(contact, reference), which knows the poses of all frames of the robot.
   ContactForce in(const Reference& other) const;
 
   /// Returns the rotation matrix from the axes of the reference to world axes.

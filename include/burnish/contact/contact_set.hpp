@@ -11,9 +11,9 @@
 namespace burnish {
 
 /// Tolerance for the linear independence of contact rows (rows of the contact Jacobian). A row is
-/// independent if more than this fraction of it is orthogonal to all rows before it. The fraction
-/// refers to the largest motion along the row that the joints could produce at any posture. The
-/// tolerance exceeds the rounding of robot files: angles with six decimals have errors of 5e-7.
+/// independent if its part orthogonal to all rows before it exceeds about this fraction of the
+/// largest motion along the row that the joints could produce at any posture. The tolerance exceeds
+/// rounding errors in robot files: an angle with six decimals has an error of up to 5e-7.
 inline constexpr double independence_tolerance = 1e-6;
 
 /// Options for computing contact forces from the KKT system: compliance and proximal iterations.
@@ -37,15 +37,15 @@ struct ContactSolver {
   void check() const;
 };
 
-/// Constants of one contact, in the form that numerical kernels read.
+/// Constants of one contact, prepared for numerical kernels.
 struct CompiledContact;
 
 /// Maximum number of contacts in a set. Memory grows with the square of the number of contact rows,
 /// and computing time with its cube.
 inline constexpr std::size_t max_contacts = 100;
 
-/// Immutable set of contacts, compiled for one model. The order of contacts is the order in
-/// `specs`. The rows of all active contacts are stacked in this order.
+/// Immutable set of contacts, compiled for one model. The contacts, and the rows of active
+/// contacts, are in the order of the constructor's argument.
 class ContactSet {
  public:
   ContactSet();  ///< Set without contacts

@@ -28,9 +28,9 @@ struct LoopGains {
   static LoopGains for_step(double step);
 };
 
-/// Returns one contact per loop. The contact has the loop's name and keeps the loop closed. The
-/// tool is the loop's second frame, and the base is the loop's first frame. The contact uses the
-/// base's axes.
+/// Returns one contact per loop. The contact has the loop's name and keeps the loop closed. Its
+/// tool is the loop's second frame, its base is the loop's first frame, and its directions are in
+/// the base's axes.
 ///
 /// By default, directions that are redundant at all postures are left out, such as z of a planar
 /// mechanism. The remaining rows are independent and need no compliance. A loop without remaining
@@ -44,10 +44,10 @@ std::vector<ContactSpec> loop_contacts(const Model& model, const LoopGains& gain
 std::vector<ContactSpec> with_loops(const Model& model, std::vector<ContactSpec> contacts,
                                     const LoopGains& gains = {});
 
-/// Returns true if `contact` is a loop of the model: same name and same two frames.
+/// Returns whether `contact` has the name and the two frames of a loop of the model.
 bool is_loop(const Model& model, const ContactSpec& contact);
 
-/// Redundant directions of a loop. Other constraints of the loops already imply them.
+/// Redundant directions of a loop. Other constraints of the loops already imply these directions.
 /// @described contact @result
 struct RedundantLoop {
   std::string loop;
@@ -129,7 +129,7 @@ std::vector<LoopMiss> loop_misses(const Model& model, const Eigen::Ref<const Eig
 /// Norm of the change dv of a velocity. A projection onto the loops minimizes this norm.
 /// @described contact
 enum class LoopMetric {
-  Plain,  ///< |dv|^2, with equal weights of rad/s and m/s
+  Plain,  ///< |dv|^2, with equal weights for rad/s and m/s
   Mass,   ///< dv^T M dv, with the mass matrix M; dv is then the effect of impulses in the loops
 };
 /// Projects the velocity `v` (nv) onto the loops at `q`: returns the velocity w nearest to `v` with
@@ -148,9 +148,10 @@ Eigen::VectorXd project_velocity_onto_loops(const Model& model,
 /// Returns the configuration of `posture`, corrected so that all loops of the model are closed.
 ///
 /// Joints named in `keep` stay at the values of the posture if the other joints can close the
-/// loops. Otherwise all joints may move. Rounded values in a posture often make this necessary. The
-/// overload without `keep` keeps all joints that the posture names. Throws Error if configuration()
-/// rejects the posture. Also throws Error, with the remaining error, if the loops cannot be closed.
+/// loops. Otherwise all joints may move, which rounded values in a posture often make necessary.
+/// The overload without `keep` keeps all joints that the posture names. Throws Error if
+/// configuration() rejects the posture, or if the loops cannot be closed (the message states the
+/// remaining gap).
 Eigen::VectorXd closed_configuration(const Model& model, const Posture& posture);
 Eigen::VectorXd closed_configuration(const Model& model, const Posture& posture,
                                      const std::vector<std::string>& keep);

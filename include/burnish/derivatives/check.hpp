@@ -22,8 +22,8 @@ struct CheckGains {
 };
 
 /// Returns "tool" if the model has a moving frame of this name. Otherwise returns the name of the
-/// last frame on a body without child bodies, frames of kinematic loops excluded. Throws Error if
-/// there is no such frame.
+/// last frame on a body without child bodies. Frames of kinematic loops do not count. Throws Error
+/// if there is no such frame.
 std::string default_tool(const Model& model);
 
 /// Returns the contact references that a check covers by default: local, centered, a tilted
@@ -39,34 +39,36 @@ std::vector<CheckGains> default_check_gains();
 std::vector<SurfaceShape> default_check_surfaces();
 
 /// Options of check_derivatives(). If `contacts` has entries, only these contacts are checked.
-/// Otherwise a sweep over contacts of one tool is checked. The sweep combines each reference and
-/// each surface with all directions, accelerations and gains.
+/// Otherwise the check sweeps over contacts of one tool: each entry of `references` and `surfaces`
+/// is combined with each entry of `directions`, `accelerations` and `gains`.
 struct CheckOptions {
   /// Name of the tool frame C2. Empty: the result of default_tool().
   std::string tool;
   /// Name of the base frame C1. The base may be on a moving body.
   std::string base = "world";
   std::vector<Reference> references = default_check_references();
-  /// Shapes of curved surfaces on the base. For each shape, the sweep has contacts whose axes
+  /// Shapes of curved surfaces on the base. For each shape, the check has contacts whose axes
   /// follow a surface of this shape. At each state, the surface is placed at random near the tool.
-  /// For a robot of 1 m, the surface is at most 2 cm away in each direction; the distance grows
-  /// with the size of the robot. The surface is also tilted at random: a vector with entries of at
-  /// most 0.6 is added to the initial unit normal. The contact uses the quadric that osculates the
-  /// surface.
+  /// For a robot of 1 m, the surface is at most 2 cm away from the tool along each axis; the
+  /// distance grows with the size of the robot. The surface is also tilted at random: a vector with
+  /// entries of at most 0.6 is added to the initial unit normal. The contact uses the quadric that
+  /// osculates the surface.
   std::vector<SurfaceShape> surfaces = default_check_surfaces();
   std::vector<Directions> directions = default_check_directions();
   std::vector<Acceleration> accelerations{Acceleration::TimeDerivative};
   std::vector<CheckGains> gains = default_check_gains();
 
-  /// Contacts to check together in one row of the report. Empty: the sweep over references,
-  /// surfaces, directions, accelerations and gains is checked.
+  /// Contacts to check together in one row of the report. Empty: contacts are combined from
+  /// references, surfaces, directions, accelerations and gains.
   std::vector<ContactSpec> contacts;
 
-  int states = 20;          ///< Number of random states per row of the report, at least 1
-  std::uint64_t seed = 1;   ///< Random seed; the same seed gives the same states on every machine
-  double tolerance = 1e-6;  ///< Largest accepted error, as a fraction of the block's largest entry
+  int states = 20;         ///< Number of random states per row of the report, at least 1
+  std::uint64_t seed = 1;  ///< Random seed; the same seed gives the same states on every machine
+  /// Largest accepted error, as a fraction of the largest entry of the derivative block
+  double tolerance = 1e-6;
 
-  /// Function that is called after each row, with the numbers of finished rows and of all rows.
+  /// Function that is called after each row of the report, with the numbers of finished rows and of
+  /// all rows.
   std::function<void(int done, int total)> progress;
 };
 
@@ -75,14 +77,14 @@ struct CheckOptions {
 struct CheckEntry {
   std::string block;      ///< Name of the block, such as "da_dq"
   std::string row;        ///< Name of the row: an entry of v, or a contact row such as "tool/z"
-  std::string column;     ///< Name of the column (the variable): an entry of v or of lambda
+  std::string column;     ///< Name of the column: the variable, an entry of v or of lambda
   double value = 0.0;     ///< Analytic derivative
   double expected = 0.0;  ///< Derivative from finite differences
   int state = -1;         ///< Index of the random state, from 0
 };
 
-/// Result of the check for one set of contacts, over all random states. A text that differs between
-/// the contacts lists all values, joined by " + ".
+/// Result of the check for one set of contacts, over all random states. A text member lists the
+/// values of all contacts, joined by " + ", if they differ.
 /// @described derivatives
 struct CheckRow {
   std::string reference;
@@ -98,8 +100,9 @@ struct CheckRow {
   /// contacts cannot be rigid in the majority of postures. In that case the robot has too few
   /// joints, or rows are redundant.
   double mu = 0.0;
-  /// Largest error, as a fraction of the largest entry of the derivative block @more Infinite if a
-  /// value is NaN. The divisor is at least 1e6 times the rounding error of the finite differences.
+  /// Largest error, as a fraction of the largest entry of the derivative block @more The error is
+  /// infinite if a value is NaN. The largest entry counts as at least 1e6 times the rounding error
+  /// of the finite differences.
   double worst_error = 0.0;
   CheckEntry worst;
   bool pass = false;  ///< Whether worst_error <= tolerance
@@ -133,19 +136,21 @@ struct CheckReport {
 ///
 /// Every row includes the loops of the robot as contacts.
 ///
-/// Differences that rounding explains are accepted. Rounding is large if large torques cancel each
-/// other, or if values are zero.
+/// If an analytic derivative and a finite difference differ by no more than rounding explains, they
+/// pass. Rounding errors are large compared with values that are zero, and with small values that
+/// remain after large torques cancel.
 ///
 /// The check skips states
 ///  - with nearly singular contacts: the condition number of J M^-1 J^T exceeds 1e5. The rows of J
-///    are scaled to unit length first. Rows that the joints hardly move stay shorter.
+///    are first scaled to unit length, or to less if the joints hardly move the contact along the
+///    row.
 ///  - with a rotation error within 0.1 rad of half a turn, if a proportional gain acts on
 ///    rotations. The logarithm of the rotation jumps at half a turn.
-///  - where the surface of a given contact has no normal, or a normal nearly opposite to the
-///    initial normal of the contact's axes.
+///  - where the surface of a contact in `options.contacts` has no normal, or a normal nearly
+///    opposite to the initial normal of the contact's axes.
 ///
-/// In the sweep, the target of a contact is the tool's placement at the neutral configuration.
-/// Throws Error with one sentence if an option is not valid.
+/// If `options.contacts` is empty, the target of each contact is the tool's placement at the
+/// neutral configuration. Throws Error with one sentence if an option is not valid.
 CheckReport check_derivatives(const Model& model, const CheckOptions& options = {});
 
 }  // namespace burnish

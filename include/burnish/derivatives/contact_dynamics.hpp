@@ -40,20 +40,23 @@ struct InertiaDerivatives {
 /// Dynamics of a robot in contact, with all derivatives (eqs. 1 to 6 and 30 to 32 of Kleff et al.,
 /// see docs/frames.md).
 ///
-/// Conventions: M a + b = tau + J^T lambda. Motions and forces have the linear part first. d/dq is
-/// the derivative with respect to a right increment dq with nv entries: q (+) dq. lambda, alpha and
-/// J have a row per constrained direction of each active contact, in the order of contacts(). Views
-/// are valid while the object exists and show the result of the last call that filled them.
+/// Equation of motion: M a + b = tau + J^T lambda, with the mass matrix M, joint accelerations a,
+/// bias torques b, joint torques tau, contact Jacobian J and contact forces lambda. Motions and
+/// forces have the linear part first. d/dq is the derivative with respect to a right increment dq
+/// with nv entries: q (+) dq. lambda, J and the contact accelerations alpha have one row per
+/// constrained direction of each active contact, in the order of contacts(). Views are valid while
+/// the object exists and show the result of the last call that filled them.
 ///
 /// The functions update(), forward(), inverse() and acceleration() evaluate a state, and each fills
 /// some of the views. The other views are then outdated: they may show another state, with other
-/// rows. For example, lambda() is outdated after acceleration(), and tau() and dtau_dq() are
-/// outdated after forward(). Derivatives are outdated until they are computed again. If outdated
-/// results are needed, derivative functions return NotEvaluated, wrench_derivatives() throws Error,
-/// and force() and wrench() return zero. Python rejects all outdated results.
+/// active contacts. For example, lambda() is outdated after acceleration(), and tau() and dtau_dq()
+/// are outdated after forward(). Derivatives are outdated until they are computed again. If
+/// outdated results are needed, derivative functions return NotEvaluated, wrench_derivatives()
+/// throws Error, and force() and wrench() return zero. Python rejects all outdated results.
 ///
-/// Evaluations return a Status and throw nothing. WrongSize and NotEvaluated leave all results
-/// unchanged. If a state cannot be evaluated for another reason, all results are set to zero.
+/// Evaluations return a Status and throw nothing. An evaluation that returns WrongSize or
+/// NotEvaluated leaves all results unchanged. If a state cannot be evaluated for another reason,
+/// all results are set to zero.
 class ContactDynamics {
  public:
   /// Compiles `contacts` for `model`. Throws Error for contacts that ContactSet rejects.
@@ -84,13 +87,13 @@ class ContactDynamics {
   /// and changes nothing. Throws Error for an unknown index and for a contact without friction.
   Status set_friction(int contact, double coefficient);
   /// Sets the payload that the robot carries at a frame; later evaluations include the payload.
-  /// `payload` is written in the axes of the frame. Its mass distribution is added to the body that
-  /// carries the frame, and replaces an earlier payload of the same body. A mass of 0 removes the
-  /// payload. Does not allocate.
+  /// `payload` is written in the axes of the frame. The payload is added to the inertia of the body
+  /// that carries the frame, and replaces an earlier payload of the same body. A mass of 0 removes
+  /// the payload. Does not allocate.
   ///
   /// Returns Ok. If check_inertia() returns NotFinite or NotPhysical for `payload`, returns this
-  /// status and changes nothing. Throws Error if the frame is fixed to the world, or with the
-  /// nearest known name if it is unknown.
+  /// status and changes nothing. Throws Error if the frame is fixed to the world. For an unknown
+  /// frame, throws Error with the nearest known name.
   Status set_payload(std::string_view frame, const InertiaSpec& payload);
   /// Returns the names of the active rows, such as "pad/z".
   std::vector<std::string> row_names() const;
@@ -98,13 +101,13 @@ class ContactDynamics {
   /// Computes joint accelerations and contact forces from `q` (nq), `v` (nv) and the joint torques
   /// `tau` (nv) [Nm or N]. Fills a(), lambda(), mass_matrix(), bias() and jacobian().
   Status forward(const ConstVectorRef& q, const ConstVectorRef& v, const ConstVectorRef& tau);
-  /// Loads the state `q` (nq), `v` (nv), and fills mass_matrix(), bias() and jacobian(). Returns
+  /// Loads the state `q` (nq) and `v` (nv), and fills mass_matrix(), bias() and jacobian(). Returns
   /// Ok, WrongSize, NotFinite or NotNormalized.
   Status update(const ConstVectorRef& q, const ConstVectorRef& v);
-  /// Computes joint accelerations and contact forces at the last loaded state, without computing
-  /// kinematics and mass matrix again. Active contacts, references, surfaces and friction may have
-  /// changed since the state was loaded. Returns NotEvaluated if no state was loaded, or if a
-  /// payload was set after it.
+  /// Computes joint accelerations and contact forces at the state of the last update() or other
+  /// evaluation, without computing kinematics and mass matrix again. Active contacts, references,
+  /// surfaces and friction may have changed since then. Returns NotEvaluated if no state was
+  /// evaluated, or if a payload was set since then.
   Status forward(const ConstVectorRef& tau);
   /// Computes the six derivatives of a and lambda with respect to q, v and tau, at the state of the
   /// last forward().
@@ -119,14 +122,15 @@ class ContactDynamics {
   Status inverse_derivatives();
 
   /// Computes alpha = J a + alpha_0 + kd nu + kp e at the joint accelerations `a` (nv). J a +
-  /// alpha_0 is the contact acceleration; kd nu + kp e is the Baumgarte stabilization,
-  /// with the contact velocity nu and the pose error e.
+  /// alpha_0 is the contact acceleration. kd nu + kp e is the Baumgarte stabilization, with the
+  /// contact velocity nu and the pose error e.
   Status acceleration(const ConstVectorRef& q, const ConstVectorRef& v, const ConstVectorRef& a);
   /// Computes dalpha_dq() and dalpha_dv() at the state of the last acceleration(). The derivative
   /// dalpha/da is jacobian() (Proposition 3 of Kleff et al.).
   Status acceleration_derivatives();
 
-  /// Computes columns of the regressor Y of inverse dynamics, at the last forward() or inverse():
+  /// Computes columns of the regressor Y of inverse dynamics, at the state of the last forward() or
+  /// inverse():
   ///   M a + b = Y theta + diag(armature) a.
   /// The vector theta holds the inertia parameters of all bodies (inertia_parameters). `bodies`
   /// selects bodies by the indices of their joints in the model. `out` has nv rows and ten columns
@@ -134,14 +138,14 @@ class ContactDynamics {
   Status regressor(std::span<const int> bodies, RowMatrix& out);
   /// Computes the derivatives of a and lambda with respect to the inertia parameters theta of
   /// `bodies`: d(a, lambda)/dtheta = -d(a, lambda)/dtau Y, with the regressor Y. The joint torques
-  /// are constant, as in the last forward(). Returns NotEvaluated unless forward_derivatives() was
-  /// called after the last forward().
+  /// stay at their values in the last forward(). Returns NotEvaluated unless forward_derivatives()
+  /// was called after the last forward().
   Status inertia_derivatives(std::span<const int> bodies, InertiaDerivatives& out);
 
   VectorView a() const;            ///< Joint accelerations, nv [rad/s^2 or m/s^2]
   VectorView lambda() const;       ///< Contact forces, one per active row [N or Nm]
   VectorView tau() const;          ///< Joint torques, nv [Nm or N]
-  VectorView alpha() const;        ///< Contact acceleration per active row [m/s^2 or rad/s^2]
+  VectorView alpha() const;        ///< alpha of acceleration(), per active row [m/s^2 or rad/s^2]
   VectorView bias() const;         ///< Bias torques b(q, v), nv [Nm or N]
   MatrixView mass_matrix() const;  ///< Mass matrix with the armature, nv x nv
   MatrixView jacobian() const;     ///< Contact Jacobian, rows x nv
@@ -162,7 +166,8 @@ class ContactDynamics {
   VectorView contact_error() const;  ///< Pose error e, one entry per active row, at the last state
 
   /// Returns a sentence about the status of the last evaluation and its cause. Possible causes are
-  /// joints that move no mass, and contact rows that cannot be satisfied independently. Allocates.
+  /// joints that move no mass, and contact rows that cannot be satisfied independently. Allocates
+  /// memory.
   std::string explanation() const;
 
   int proximal_iterations() const;  ///< Number of proximal iterations of the last forward()
@@ -171,14 +176,15 @@ class ContactDynamics {
   double proximal_residual() const;
 
   /// Contact acceleration that no contact force can cancel, one entry per active row, at the last
-  /// forward() [m/s^2 or rad/s^2]. It is not zero if redundant contact rows contradict each other.
-  /// Only proximal iterations detect such rows. The status is then NotConverged, and lambda() is
-  /// the least-squares solution of smallest norm. All derivatives are derivatives of this solution.
+  /// forward() [m/s^2 or rad/s^2]. This acceleration is not zero if redundant contact rows
+  /// contradict each other. Only proximal iterations detect such rows. The status is then
+  /// NotConverged, and lambda() is the least-squares solution of smallest norm. All derivatives are
+  /// derivatives of this solution.
   VectorView unmet() const;
 
   /// Returns the force of an active contact, written in the contact's own reference. The force is
   /// the result of the last forward(), or the lambda that was passed to the last inverse(). After
-  /// any other evaluation, the force is zero, and Python rejects the call. Allocates strings. In
+  /// any other evaluation, the force is zero, and Python rejects the call. Allocates memory. In
   /// control loops, use wrench() instead.
   ContactForce force(int contact) const;
   ContactForce force(const std::string& contact) const;

@@ -21,8 +21,8 @@ class ContactDynamicsBatch {
  public:
   /// Prepares batches of up to `capacity` states, computed by `threads` threads including the
   /// calling thread. If `pin_threads` is true, each additional thread runs on its own core. The
-  /// cores are taken from the cores on which the calling thread may run. The first core stays free
-  /// for the calling thread.
+  /// cores are chosen from those on which the calling thread may run. The first of these cores
+  /// stays free for the calling thread.
   ///
   /// Throws Error for contacts that ContactDynamics rejects, and if `capacity` or `threads` is
   /// below 1. With pinned threads, also throws Error on systems other than Linux, and if there are
@@ -41,19 +41,19 @@ class ContactDynamicsBatch {
   int threads() const;
 
   using ConstMatrixRef = Eigen::Ref<const Eigen::MatrixXd>;
-  /// Computes a and lambda of n states, one state per column: `q` is nq x n, `v` and `tau` are nv x
-  /// n. At most capacity() states are allowed. Returns the most severe status of all states;
-  /// status(i) returns the status of state i.
+  /// Computes the joint accelerations a and contact forces lambda of n states, one state per
+  /// column: `q` is nq x n, `v` and `tau` are nv x n. At most capacity() states are allowed.
+  /// Returns the most severe status of all states; status(i) returns the status of state i.
   Status forward(const ConstMatrixRef& q, const ConstMatrixRef& v, const ConstMatrixRef& tau);
-  /// Computes a, lambda and their six derivatives of n states, one state per column as in
+  /// Computes a, lambda and their derivatives with respect to q, v and tau, for n states as in
   /// forward(). Returns the most severe status of all states.
   Status forward_with_derivatives(const ConstMatrixRef& q, const ConstMatrixRef& v,
                                   const ConstMatrixRef& tau);
 
-  /// Returns the status of one state of the last call. Returns NotEvaluated if the last call had
-  /// fewer states, or if set_active() or set_payload() was called since. After NotEvaluated, the
-  /// views a() to dlambda_dtau() have no valid result for this state. Derivatives are the results
-  /// of the last forward_with_derivatives().
+  /// Returns the status of one state in the last call of forward() or forward_with_derivatives().
+  /// Returns NotEvaluated if this call had fewer states, or if set_active() or set_payload() was
+  /// called since. In these cases, the views a() to dlambda_dtau() have no valid result for the
+  /// state. Derivatives are the results of the last forward_with_derivatives().
   Status status(int state) const;
   /// Returns a sentence about the status of one state that names the cause; see
   /// ContactDynamics::explanation().

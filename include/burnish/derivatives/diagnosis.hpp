@@ -8,7 +8,7 @@
 
 namespace burnish {
 
-/// Row of the contact Jacobian that depends linearly on the rows before it, or that no joint moves.
+/// Row of the contact Jacobian that depends linearly on the rows before it, or that is zero.
 /// @described derivatives @result
 struct RedundantRow {
   std::string contact;    ///< Name of the contact
@@ -24,7 +24,7 @@ struct RedundantRow {
   std::string text() const;
 };
 
-/// Contact rows that diagnose() found to depend on other rows. Without such rows, the contacts are
+/// Contact rows that diagnose() found to depend on other rows. If there are none, the contacts are
 /// independent.
 /// @described derivatives @result
 struct ContactDiagnosis {
@@ -34,13 +34,13 @@ struct ContactDiagnosis {
   std::string text() const;  ///< Returns one line per redundant row
 };
 
-/// Finds redundant contact rows at the configuration `q` (nq). `active` holds the indices of
-/// contacts of `set` to examine; empty: all contacts.
+/// Finds redundant contact rows at the configuration `q` (nq). `active` holds the indices in `set`
+/// of the contacts to examine; if it is empty, all contacts are examined.
 ///
-/// A row is redundant if its part orthogonal to the rows before it is too short. Lengths are
-/// measured in the metric M^-1. The limit is `tolerance` times a combination of two lengths: the
-/// row's own length, and the largest motion that the joints could produce along the row at any
-/// posture (src/contact/row_size.hpp). With the default tolerance, a row is redundant exactly if
+/// A row is redundant if its part orthogonal to the rows before it is too short, in the metric
+/// M^-1. The length limit is `tolerance` times a combination of two lengths: the row's own length,
+/// and the largest motion that the joints could produce along the row at any posture
+/// (src/contact/row_size.hpp). With the default tolerance, a row is redundant exactly if
 /// ContactDynamics with rigid contacts (mu = 0) returns Status::SingularContacts. Throws Error for
 /// an invalid q or a singular mass matrix.
 ContactDiagnosis diagnose(const Model& model, const ContactSet& set,

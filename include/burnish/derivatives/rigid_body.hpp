@@ -32,7 +32,7 @@ struct FrameDerivatives {
 /// Derivatives of a frame's placement with respect to q. Each matrix has nv columns.
 /// @described derivatives @result
 struct PlacementDerivatives {
-  RowMatrix position;  ///< Derivative of the position in world axes: 3 x nv, m/rad (m/m)
+  RowMatrix position;  ///< Derivative of the position in world axes: 3 x nv, m/rad or m/m
 
   /// Derivative of the rotation R, in the frame's own axes: 3 x nv @more Column k is the vector w
   /// with R^T dR/dq_k = [w x].
@@ -51,8 +51,8 @@ struct PlacementDerivatives {
 /// to a right increment dq with nv entries: q (+) dq. Views are valid while the object exists and
 /// show the result of the last call that filled them.
 ///
-/// A state that update() rejects changes no result. Before the first accepted state, results belong
-/// to the neutral configuration at rest. Functions that fill a FrameDerivatives or
+/// A state that update() rejects changes no result. Before the first accepted state, all results
+/// are those of the neutral configuration at rest. Functions that fill a FrameDerivatives or
 /// PlacementDerivatives resize it on first use.
 class RigidBody {
  public:
@@ -76,8 +76,8 @@ class RigidBody {
   /// nothing.
   ///
   /// Returns Ok. If check_inertia() returns NotFinite or NotPhysical for `payload`, returns this
-  /// status and changes nothing. Throws Error if the frame is fixed to the world, or with the
-  /// nearest known name if it is unknown.
+  /// status and changes nothing. Throws Error if the frame is fixed to the world. For an unknown
+  /// frame, throws Error with the nearest known name.
   Status set_payload(std::string_view frame, const InertiaSpec& payload);
 
   /// Evaluates a state: `q` with nq entries, `v` [rad/s, m/s] and `a` [rad/s^2, m/s^2] with nv
@@ -90,9 +90,9 @@ class RigidBody {
   /// Returns the placement of a frame in the world. `frame` is an index from frame().
   Eigen::Isometry3d placement(int frame) const;
   /// Returns the velocity of a frame relative to the world [m/s, rad/s], linear part first, written
-  /// in `reference`. The tool of the reference is the frame, and the base is the world. `reference`
-  /// may be Reference::local(), centered(), world(), or have the axes of any frame. Throws Error
-  /// with the nearest known name if `reference` names a frame that the robot does not have.
+  /// in `reference`. The tool of `reference` is this frame, and its base is the world. Allowed are
+  /// Reference::local(), centered(), world(), and references with the axes of any frame. Throws
+  /// Error with the nearest known name if `reference` names a frame that the robot does not have.
   Vector6 velocity(int frame, const Reference& reference) const;
   /// Returns the time derivative of velocity() [m/s^2, rad/s^2].
   Vector6 acceleration(int frame, const Reference& reference) const;
@@ -113,7 +113,7 @@ class RigidBody {
   Vector6 centroidal_momentum() const;   ///< Momentum about the centre of mass, world axes
   double kinetic_energy() const;         ///< v^T M v / 2, with the armature [J]
   double potential_energy() const;  ///< Potential energy of gravity, zero at the world's origin [J]
-  VectorView gravity_torque() const;  ///< Torque b(q, 0) that holds the robot at rest [Nm or N]
+  VectorView gravity_torque() const;  ///< Joint torques that hold the robot at rest [Nm or N]
 
   /// Torques (nv) of springs and tendons at q, and of damping and smoothed friction at v [Nm or N].
   VectorView passive_torque() const;

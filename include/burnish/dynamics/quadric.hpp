@@ -17,8 +17,8 @@ namespace burnish {
 ///
 /// For a round tip, the tool's point is the centre of the tip. While the tip touches the surface,
 /// the centre moves on a parallel surface, one radius outside the material. For planes, spheres and
-/// cylinders, both surfaces have the same normal at the centre, so phi of either surface can be
-/// used.
+/// cylinders, the normals of the touched surface and of the parallel surface agree at the centre.
+/// phi of either surface can then be used.
 struct Quadric {
   Eigen::Matrix3d Q = Eigen::Matrix3d::Zero();   ///< Matrix of the quadratic term, symmetric
   Eigen::Vector3d b = Eigen::Vector3d::UnitZ();  ///< Vector of the linear term
@@ -64,8 +64,8 @@ struct Quadric {
   /// a cylinder.
   Eigen::Vector3d normal(const Eigen::Vector3d& x) const;
   bool is_finite() const;
-  /// Throws Error if an entry is not finite, if Q is not symmetric, or if both Q and b are zero.
-  /// The message begins with `who`.
+  /// Throws Error if an entry is not finite, if Q is not symmetric, or if Q and b are zero. The
+  /// message begins with `who`.
   void check(const std::string& who) const;
 };
 

@@ -31,8 +31,8 @@ struct Anchor {
   Anchor(const char* name) : kind(Frame), frame(name) {}             // NOLINT
   bool operator==(const Anchor&) const = default;
 
-  /// Parses "tool", "base", "world" or the name of a frame. A frame that is itself called "tool" is
-  /// written "frame tool".
+  /// Parses "tool", "base", "world" or the name of a frame. The text "frame tool" stands for a
+  /// frame whose name is "tool".
   static Anchor parse(const std::string& text);
   std::string text() const;  ///< Returns the text from which parse() creates this Anchor
 };
@@ -48,8 +48,8 @@ struct Reference {
   /// Rotation matrix that maps coordinates in this Reference to coordinates in the frame `axes`.
   Eigen::Matrix3d rotation = Eigen::Matrix3d::Identity();
   /// Rotation as a function of time, for the knots of an optimal control problem. The values are
-  /// unit quaternions x, y, z, w; q and -q are the same rotation. If this signal is set, `rotation`
-  /// must be the identity. If it is empty, `rotation` is used.
+  /// unit quaternions x, y, z, w; a quaternion and its negative are the same rotation. If this
+  /// signal is set, `rotation` must be the identity. If it is empty, `rotation` is used.
   Signal rotation_over_time = {};
   /// Curved surface; the axes turn with its normal as the tool moves. The surface is written in the
   /// frame `axes`. At a point with normal n, the axes are the columns of S * `rotation`. S is the
@@ -72,9 +72,10 @@ struct Reference {
   /// that it is horizontal in C1. Throws Error for a normal of zero length.
   static Reference surface_with_normal(const Eigen::Vector3d& normal);
   /// Returns a Reference whose axes follow a curved surface of the base. `near` is a point in the
-  /// axes of the base; choose it where the tool will touch. At `near`, the axes are the same as for
-  /// surface_with_normal(). At other points, the axes turn with the surface normal. The angle
-  /// between this normal and the normal at `near` must be less than half a turn.
+  /// axes of the base; choose it where the tool will touch. At `near`, the axes are those of
+  /// surface_with_normal() for the normal at `near`. At other points, the axes turn with the
+  /// surface normal. The angle between this normal and the normal at `near` must be less than half
+  /// a turn.
   static Reference on(const Quadric& surface, const Eigen::Vector3d& near);
   /// Returns a Reference whose axes follow a curved surface of the base. At the point `near`, the x
   /// axis is the tangent in the direction `along`, such as the direction of travel. Throws Error if

@@ -30,7 +30,8 @@ struct SurfaceDistance {
 /// plane at this point are called first and second tangent.
 /// @described contact
 struct SurfaceShape {
-  /// Kinds of surface shapes. Tangents below are the two axes of the tangent plane at `point`.
+  /// Kinds of surface shapes. First and second tangent are the two axes of the tangent plane at the
+  /// given point.
   /// @described contact.SurfaceKind
   enum class Kind {
     Plane,
@@ -69,7 +70,7 @@ struct SurfaceShape {
   void check(const std::string& who) const;
   /// Returns a text such as "sphere of radius 0.3 m".
   std::string text() const;
-  /// Parses a kind, followed by all numbers of this kind or none, and optionally "hollow". Examples
+  /// Parses the name of a kind. All numbers of this kind can follow, and then "hollow". Examples
   /// are "sphere", "sphere:0.3" and "torus:0.1:0.5:hollow". The numbers are
   ///  - sphere, cylinder: radius;
   ///  - cone: radius, half angle;
@@ -88,15 +89,15 @@ std::vector<std::string> surface_kinds();  ///< Names of all kinds, in the order
 /// A SurfaceShape placed in space, by a point of the surface and the normal at that point. No
 /// member function allocates memory.
 ///
-/// The normal of a ridge jumps at the edge, from one plane to the other. At a point outside, the
-/// nearest point of the surface can be on the edge. The normal then points from the edge to the
-/// outside point. A hollow ridge is a valley: the second plane rises.
+/// The normal of a ridge jumps at the edge, from one plane to the other. For a point outside the
+/// material, the nearest point of the surface can be on the edge. The normal then points from the
+/// edge to the outside point. A hollow ridge is a valley: the second plane rises.
 class Surface {
  public:
   Surface() : Surface(SurfaceShape{}, Eigen::Vector3d::Zero(), Eigen::Vector3d::UnitZ()) {}
   /// Places `shape` so that the surface passes through `point` with the normal `normal`. `normal`
   /// points out of the material and need not have unit length. The tangents are the x and y axes of
-  /// Reference::surface_with_normal(), turned about the normal by turn_deg. Throws Error if
+  /// Reference::surface_with_normal(), turned about the normal by `shape.turn_deg`. Throws Error if
   /// SurfaceShape::check() rejects the shape, or for a normal of zero length.
   Surface(const SurfaceShape& shape, const Eigen::Vector3d& point, const Eigen::Vector3d& normal);
 
@@ -113,7 +114,7 @@ class Surface {
   SurfaceDistance at(const Eigen::Vector3d& x) const noexcept;
   /// Returns the intersection of the surface with a line through x. The line is parallel to the
   /// normal that was passed to the constructor. If there are several intersections, returns the one
-  /// nearest to the tangent plane.
+  /// nearest to the tangent plane at the constructor's `point`.
   Eigen::Vector3d along_normal(const Eigen::Vector3d& x) const noexcept;
   /// Returns the largest concave curvature of the surface [1/m], or 0 if the surface is nowhere
   /// concave. The radius of a round tip that touches the surface must not exceed the inverse of

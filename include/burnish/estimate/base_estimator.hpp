@@ -22,7 +22,7 @@ enum class FootKind {
   Sole,  ///< Planar foot: its frame neither moves nor rotates
 };
 
-/// Foot of a robot. The estimator uses the foot while it stands on the ground.
+/// Foot of a robot. The estimator uses the foot while the foot stands on the ground.
 /// @described estimate
 struct FootSpec {
   /// Name of the foot's frame @more For a ball, the frame is at the centre of the ball, and the
@@ -95,7 +95,7 @@ struct BaseEstimatorOptions {
   double sole_turn_noise = 1e-3;
 
   // @group Feet that slip.
-  /// Fraction of the readings of a resting foot that the outlier test accepts, between 0 and 1
+  /// Fraction of a resting foot's readings that pass the outlier test, between 0 and 1
   double gate = 0.99999;
   /// Rest time after which a foot that slipped is used again [s], >= 0
   double rejoin_after = 0.05;

@@ -25,7 +25,8 @@ namespace burnish {
 /// allocates only when columns of other supports first appear.
 ///
 /// Set each payload of the controller here, too; ClosedLoop::set_payload() does both. While the
-/// masses differ, the controller reports NotPhysical in Command::status and holds the robot.
+/// payload masses of controller and estimator differ, the controller reports NotPhysical in
+/// Command::status and holds the robot.
 class EstimatedBase {
  public:
   /// Throws Error in the same cases as the constructors of BaseEstimator and FootContacts.

@@ -23,7 +23,8 @@ struct FootContactOptions {
   /// is of first order.
   double smoothing = 5e-3;
   /// Noise density of the force sensors [N/sqrt(Hz)], >= 0 @more The standard deviation of the
-  /// filtered noise must be at most a quarter of the gap between the forces of `lift` and `touch`.
+  /// filtered noise must be at most a quarter of the gap between the force thresholds `lift` and
+  /// `touch`.
   double force_noise = 0.5;
   /// Bandwidth of the observer that estimates foot forces from joint torques [rad/s], > 0 @note The
   /// observer is FootForces.

@@ -25,14 +25,14 @@ struct Measurement {
   /// Joint torques measured between motor and link, nv entries [Nm (N)]
   Eigen::VectorXd tau;
   /// Measured wrench of the surface on the tool: force (N), then moment (Nm)
-  /// @more Moments are about the origin of the tool's frame, and both parts are in the axes of that
-  /// frame, without the weight of the tool. Components that no sensor measures are NaN. Controllers
-  /// use only the force
+  /// @more Moments are about the origin of the tool's frame. Force and moment are in the axes of
+  /// this frame and exclude the weight of the tool. Components that no sensor measures are NaN.
+  /// Controllers use only the force
   Vector6 tool_wrench = Vector6::Constant(std::numeric_limits<double>::quiet_NaN());
   /// Measured wrench of the ground on each support, one column per support: force (N), then moment
   /// (Nm)
-  /// @more Moments are about the origin of the support's frame, and both parts are in the axes of
-  /// that frame. Empty if wrenches are not measured
+  /// @more Moments are about the origin of the support's frame. Force and moment are in the axes of
+  /// this frame. Empty if wrenches are not measured
   Eigen::Matrix<double, 6, Eigen::Dynamic> support_wrenches = {};
   /// Time since the last position estimate of a floating base [s]
   /// @more The value 0 means that the estimate is current. While the value is positive, the

@@ -1,7 +1,7 @@
 // Online estimate of the constant part of the model error. Adding the estimate to the model removes
-// lasting errors due to wrong masses, friction and torque offsets (offset-free model predictive
-// control). For contact tasks see Jordana et al., "Force Feedback Model-Predictive Control via
-// Online Estimation", 2024.
+// lasting control errors due to wrong masses, friction and torque offsets (offset-free model
+// predictive control). For contact tasks see Jordana et al., "Force Feedback Model-Predictive
+// Control via Online Estimation", 2024.
 #pragma once
 
 #include <Eigen/Core>
@@ -37,13 +37,13 @@ enum class ModelErrorKind {
 /// (offset-free model predictive control).
 /// @described mpc
 struct ModelErrorOptions {
-  /// Estimated error: none, torque (per joint) or force (along the normal)
+  /// Kind of error that is estimated: `none`, `torque` (per joint) or `force` (along the normal)
   ModelErrorKind kind = ModelErrorKind::Torque;
   /// Bandwidth of the observer (automatic: 30, but fitted to the arm in polishing) [rad/s], > 0
-  /// @more A higher bandwidth corrects friction sooner and tolerates less delay. With kind force,
-  /// the observer closes a loop through the controller, and the delays of that loop limit the
-  /// bandwidth. Example: with a force sensor that is filtered at 50 Hz, 50 rad/s work and 100 rad/s
-  /// oscillate.
+  /// @more A higher bandwidth corrects friction sooner and tolerates less delay. If `kind` is
+  /// `force`, the observer closes a loop through the controller, and the delays of that loop limit
+  /// the bandwidth. Example: if the force sensor is filtered at 50 Hz, the loop works at 50 rad/s
+  /// and oscillates at 100 rad/s.
   /// @word auto
   std::optional<double> bandwidth = {};
   /// Largest factor on the bandwidth (automatic: 3, but fitted to the arm in polishing), > 0
@@ -118,9 +118,9 @@ class TorqueErrorObserver {
   /// update(). `base`: robot frame on which the reaction to the force on the tool acts; empty: the
   /// reaction acts on the world.
   ///
-  /// Torque errors within kinematic loops that do not move the robot are not estimated. Torque
-  /// errors that supports balance are estimated only if the wrenches of the supports are measured.
-  /// Throws Error for an unknown frame and for options out of range.
+  /// Torque errors that act within kinematic loops and do not move the robot are not estimated.
+  /// Torque errors that supports balance are estimated only if the wrenches of the supports are
+  /// measured. Throws Error for an unknown frame and for options out of range.
   TorqueErrorObserver(const Model& model, const std::string& tool, const ModelErrorOptions& options,
                       const std::vector<ContactSpec>& supports = {},
                       const std::vector<std::string>& measured = {}, const std::string& base = {});

@@ -1,4 +1,4 @@
-// Settings of the estimate of the ground's friction under supports that slip.
+// Settings for supports that slip: plans assume less friction at such a support.
 #pragma once
 
 namespace burnish {

@@ -16,7 +16,7 @@ struct SurfaceEstimateOptions {
   bool enabled = true;
   /// Standard deviation of the initial surface's height [m], > 0
   double height = 0.02;
-  /// Standard deviation of the initial normal's angle about each tangent [rad], > 0
+  /// Standard deviation of the initial normal's tilt about each tangent [rad], > 0
   double tilt = 0.1;
   /// Standard deviation of the initial curvatures [1/m], > 0
   /// @more The filter adds a quarter of the magnitude of the initial curvatures to this value
@@ -68,8 +68,8 @@ class SurfaceEstimator {
   const Quadric& surface() const { return surface_; }
   /// Returns the estimated surface normal at the tip, a unit vector.
   const Eigen::Vector3d& normal() const { return normal_; }
-  /// Returns the standard deviation of the angle of the estimated normal [rad], as the largest
-  /// value about any tangent.
+  /// Returns the largest standard deviation, over all tangents, of the estimated normal's tilt
+  /// about a tangent [rad].
   double normal_deviation() const;
   /// Returns the estimated compliance [m/N].
   double compliance() const { return x_[c_]; }

@@ -47,22 +47,22 @@ class Excitation {
   /// Throws Error, with a message of one sentence, for
   /// - unknown names and numbers out of range,
   /// - kinematic loops, and joints with more than one degree of freedom,
-  /// - a start outside the joint limits or within `margin` of a limit,
-  /// - a start that needs more than `effort_share` of an effort limit to hold,
+  /// - a start outside the joint limits or within `spec.margin` of a limit,
+  /// - a start that needs more than `spec.effort_share` of an effort limit to hold,
   /// - limits that no random motion satisfies.
   Excitation(const Model& model, const Eigen::VectorXd& q_start, const std::string& frame,
              const ExcitationSpec& spec = {});
 
   double duration() const { return duration_; }
-  /// Returns a warning with the name of the joint if its effort limit reduced the motion. The list
-  /// is empty if only position ranges and speed limits restrict the motion.
+  /// Returns one warning if the effort limit of a joint reduced the motion; the warning names the
+  /// joint. The list is empty if only position ranges and speed limits restrict the motion.
   const std::vector<std::string>& warnings() const { return warnings_; }
   /// Evaluates the motion at `time` [s]: q (nq), v (nv) and a (nv). Before the start and after the
   /// end, the joints are at rest.
   void at(double time, Eigen::VectorXd& q, Eigen::VectorXd& v, Eigen::VectorXd& a) const;
   /// Returns the motion as a trace, with one row every `period` [s]. The columns are time,
-  /// q_<joint>, v_<joint> and a_<joint>. Positions are angles [rad] or displacements [m],
-  /// one number per joint, also for continuous joints.
+  /// q_<joint>, v_<joint> and a_<joint>. Positions are angles [rad] or displacements [m], one
+  /// number per joint, also for continuous joints.
   Trace trace(double period) const;
 
  private:
@@ -70,8 +70,8 @@ class Excitation {
     Eigen::MatrixXd sine, cosine;  ///< Amplitudes of the harmonics, nv x harmonics [rad or m]
     /// Scale of the motion; 1 for the largest motion that position ranges and speed limits permit
     double size = 1.0;
-    int heaviest = 0;  ///< Index in v with the largest ratio of torque to torque limit, at size 1
-    double torque = 0.0;  ///< Torque at index `heaviest` for size 1 [Nm or N]
+    int heaviest = 0;     ///< Index in v of the largest ratio of torque to its limit, for `size` 1
+    double torque = 0.0;  ///< Torque at index `heaviest` for `size` 1 [Nm or N]
   };
   bool limit(double effort_share);
   std::string effort_text(const Amplitudes& amplitudes, double effort_share) const;

@@ -2,16 +2,16 @@
 // estimate has a standard deviation.
 //
 // Positions and torques are smoothed and differentiated by local polynomials (A. Savitzky, M.
-// Golay, 1964). All windows have the same short length. The polynomials are symmetric in time, so
-// that they delay neither positions nor torques.
+// Golay, 1964). All windows of this step have the same short length. The polynomials are symmetric
+// in time, so that they delay neither positions nor torques.
 //
-// Torques are linear in the mass parameters (ContactDynamics::regressor). A smoothing of both
-// measured and modelled torques keeps this linearity. Torques are therefore smoothed again over
-// longer windows. This reduces the noise and adds no bias.
+// Torques are linear in the mass parameters (ContactDynamics::regressor). They stay linear if
+// measured and modelled torques are smoothed in the same way. Both torques are therefore smoothed
+// again over longer windows, which reduces the noise and adds no bias.
 //
 // Mass distributions are estimated in log-Cholesky coordinates (C. Rucker, P. Wensing, "Smooth
-// Parameterization of Rigid-Body Inertia", 2022). Every value of these coordinates is a physically
-// possible body. docs/identification.md has the equations.
+// Parameterization of Rigid-Body Inertia", 2022). Every value of these coordinates describes a
+// physically possible body. docs/identification.md has the equations.
 #pragma once
 
 #include <string>
@@ -36,10 +36,10 @@ struct MotionRecord {
 };
 
 /// Reads positions and torques from a trace. A trace of ClosedLoop has the columns
-/// `measured_q_<name>` and `tau_measured_<name>`. If one of them is missing, the column `q_<name>`
-/// or `tau_<name>` is used. A continuous joint has the column `q_<joint>` (angle [rad], wrapped or
-/// not), or the columns `q_<joint>.cos` and `q_<joint>.sin`. If a trace has both forms, cos and sin
-/// are used.
+/// `measured_q_<name>` and `tau_measured_<name>`. If one of these columns is missing, `q_<name>` or
+/// `tau_<name>` is used. A continuous joint has the column `q_<joint>` (angle [rad], wrapped or
+/// not), or the columns `q_<joint>.cos` and `q_<joint>.sin`. If a trace has the angle and also cos
+/// and sin, cos and sin are used.
 ///
 /// Sample times that are uneven by more than 1 %, and lost samples, are corrected by resampling,
 /// with a warning. Throws Error for
@@ -52,7 +52,8 @@ MotionRecord motion_record(const Model& model, const Trace& trace);
 struct IdentificationSpec {
   /// Links whose mass distributions are estimated; empty: the payload is estimated
   std::vector<std::string> bodies = {};
-  /// Frame of the payload's mass distribution. Used only if `bodies` is empty.
+  /// Name of the frame that carries the payload. The estimate is in the axes of this frame. Used
+  /// only if `bodies` is empty.
   std::string payload = "tool";
   /// Whether to estimate Coulomb and viscous friction for each entry of v. Useful if torques are
   /// measured at the motors. Torque sensors behind the gears do not measure this friction.
@@ -67,9 +68,9 @@ struct IdentificationSpec {
   /// Window length of the polynomials that differentiate the motion [s]. The window must have at
   /// least seven samples. It must be short compared with the period of the fastest motion.
   double motion_window = 0.04;
-  /// Window for the smoothing of measured and modelled torques [s]
+  /// Window length for the smoothing of measured and modelled torques [s]
   double window = 0.25;
-  /// Duration at the start of the record that is not used [s]
+  /// Length of the unused part at the start of the record [s]
   double start = 0.0;
   /// Standard deviation of the noise of a torque sample [Nm or N], for the test of torque
   /// residuals. At 0, the noise is estimated from neighbouring samples.
@@ -100,8 +101,8 @@ struct EstimatedInertia {
   /// Returns the indices of the entries of `values` that the motion does not determine.
   std::vector<int> not_shown() const;
 };
-/// Returns the mass, the centre of mass (com) and the moments of inertia about it, in the order of
-/// EstimatedInertia::values.
+/// Returns the mass, the centre of mass, and the moments of inertia about the centre of mass, in
+/// the order of EstimatedInertia::values.
 Vector10 estimate_values(const InertiaSpec& inertia);
 /// Names of the entries of EstimatedInertia::values.
 inline constexpr std::array<std::string_view, 10> estimate_names{
@@ -142,8 +143,8 @@ struct Identification {
 ///   far better, or if no cause is found,
 /// - a motion that does not determine the parameters.
 ///
-/// Faults of the record that are considered: units, signs, swapped columns, a lag, gravity, an
-/// encoder's offset, a payload that changes.
+/// The considered faults of the record are wrong units, wrong signs, swapped columns, a lag, wrong
+/// gravity, an encoder's offset, and a payload that changes.
 ///
 /// A torque residual can be too large for noise and yet small compared with the effect of the
 /// masses. In this case, the standard deviations are enlarged and a warning is added.

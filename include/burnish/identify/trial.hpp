@@ -5,8 +5,8 @@
 
 namespace burnish {
 
-/// Returns a random payload at `frame`: a mass of 0.5 to 3 kg, a centre within about 0.1 m of the
-/// frame's origin, and the inertia of an ellipsoid with semi-axes of 3 to 10 cm.
+/// Returns a random payload at `frame`: a mass of 0.5 to 3 kg, a centre of mass within about 0.1 m
+/// of the frame's origin, and the inertia of an ellipsoid with semi-axes of 3 to 10 cm.
 Payload drawn_payload(const std::string& frame, std::uint64_t seed);
 
 struct Trial {
@@ -31,11 +31,11 @@ struct TrialSummary {
   double mass_error = 0.0;
   /// Largest distance between estimated and true centre of mass [m]
   double centre_error = 0.0;
-  /// Root mean squares over all trials. rms_error: of the errors; rms_sigma: of the estimated
-  /// standard deviations. One value per entry of EstimatedInertia::values.
+  /// rms_error and rms_sigma are the root mean squares, over all trials, of the errors and of the
+  /// estimated standard deviations. Each has one value per entry of EstimatedInertia::values.
   Vector10 rms_error = Vector10::Zero(), rms_sigma = Vector10::Zero();
-  /// within_two_sigma: fraction of all errors within two estimated standard deviations.
-  /// largest_in_sigma: largest ratio of an error to its estimated standard deviation.
+  /// within_two_sigma is the fraction of all errors within two estimated standard deviations.
+  /// largest_in_sigma is the largest ratio of an error to its estimated standard deviation.
   double within_two_sigma = 0.0, largest_in_sigma = 0.0;
 };
 TrialSummary summary_of(const std::vector<Trial>& trials);

@@ -14,9 +14,9 @@ namespace burnish {
 /// included file is missing or malformed, or if the file does not describe a tree. The Error lists
 /// all problems, each with the line and the element.
 ///
-/// The order of joints and the joint positions, including `ref`, are as in MuJoCo's qpos. Only the
-/// quaternions of free and ball joints differ: they are x, y, z, w here, and w, x, y, z in MuJoCo.
-/// JointOrder::mujoco() converts whole vectors.
+/// The order of joints and the joint positions, including `ref`, are as in MuJoCo's qpos.
+/// Exception: the quaternions of free and ball joints are x, y, z, w here, and w, x, y, z in
+/// MuJoCo. JointOrder::mujoco() converts whole vectors.
 ///
 /// The root link is "world". A body with several joints becomes a chain of joints, with massless
 /// links between them. If a joint is not at the origin of its body, a fixed joint is added behind
@@ -24,7 +24,7 @@ namespace burnish {
 ///
 /// Content that a TreeSpec cannot represent is reported in `warnings`: one sentence per kind of
 /// content, with the number of elements and an example. Content that does not affect dynamics is
-/// reported in `notes` instead. docs/robots.md lists both.
+/// reported in `notes` instead. docs/robots.md lists the content of both kinds.
 ///
 /// Keyframes of the file become named postures. The initial configuration of the file is added as
 /// posture "qpos0" if it differs from zero.

@@ -14,8 +14,8 @@ namespace burnish {
 using Vector10 = Eigen::Matrix<double, 10, 1>;
 
 /// Names of the ten inertial parameters of a body: mass [kg], mass times centre of mass [kg m], and
-/// moments of inertia [kg m^2]. All are in the axes of the body's joint frame. The moments of
-/// inertia are about the origin of the joint frame.
+/// moments of inertia [kg m^2]. All parameters are in the axes of the body's joint frame, and the
+/// moments of inertia are about its origin.
 inline constexpr std::array<std::string_view, 10> inertia_parameter_names{
     "m", "mcx", "mcy", "mcz", "Ixx", "Ixy", "Ixz", "Iyy", "Iyz", "Izz"};
 
@@ -63,7 +63,7 @@ std::string inertia_problem(const InertiaSpec& inertia);
 InertiaSpec inertia_of_body(const Model& model, int body);
 void set_inertia_of_body(Model& model, int body, const InertiaSpec& inertia);
 
-/// A load that a robot carries at a named frame. The inertia is in the axes of that frame.
+/// A load that a robot carries at the frame `frame`. The inertia is in the axes of this frame.
 struct Payload {
   std::string frame = "tool";
   InertiaSpec inertia;

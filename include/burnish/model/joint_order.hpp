@@ -27,8 +27,9 @@ enum class JointConvention {
 inline constexpr double coupling_tolerance = 0.01;
 
 /// Converts the vectors q, v and tau between a model and another program. A list of names states
-/// the order of joints in the other program. It may include joints that are coupled to a leader
-/// (followers) and held joints. The model's vectors have no entries for followers and held joints.
+/// the order of joints in the other program. The list may include held joints, and followers
+/// (joints that are coupled to a leader). The model's vectors have no entries for followers and
+/// held joints.
 class JointOrder {
  public:
   /// Creates the conversion for joints in the order of `names`. Throws Error if a name is empty or

@@ -16,8 +16,9 @@ namespace burnish {
 
 /// Kinds of moving joints.
 /// @described model
-/// The z axis of a joint frame is the joint axis. Floating and ball joints have no axis. Their
-/// joint frame has the axes of the description file. A named Frame always has the axes of the file.
+/// The z axis of a joint frame is the joint axis. The joint frames of floating and ball joints,
+/// which have no axis, keep the axes of the description file. A named Frame always keeps the axes
+/// of the file.
 enum class JointKind {
   Revolute,    ///< q = angle, v = rate @note nq = 1, nv = 1
   Continuous,  ///< q = (cos, sin), v = rate @note nq = 2, nv = 1
@@ -201,13 +202,14 @@ struct Model {
   /// Stiffness [Nm/rad or N/m] and rest position [rad or m] of the springs in joints, nv entries
   /// each. The rest position of a ball joint's spring is 0.
   Eigen::VectorXd stiffness, spring_rest;
-  std::vector<Tendon> tendons;  ///< Tendons with a spring or damper that act on a moving joint
+  std::vector<Tendon> tendons;  ///< Tendons with a spring or damper, along moving joints
 
   /// For each entry of v, the index of the joint that has this entry.
   std::vector<int> joint_of_v;
-  /// Parent of each entry of v in the tree of entries; -1 at the root. Entries of one joint form a
-  /// chain. If joints are coupled, one entry can move bodies on several branches. The tree is built
-  /// such that any two entries that move a common body are on one path to the root.
+  /// For each entry of v, the index of its parent in a tree of all entries; -1 at the root. Entries
+  /// of one joint form a chain. The entry of a leader can move bodies on several branches of the
+  /// robot. The tree is built such that any two entries that move a common body are on one path to
+  /// the root.
   std::vector<int> parent_of_v;
 
   /// Returns the indices of the entries of v that move body `body`, in ascending order. Returns an
@@ -271,16 +273,16 @@ struct Model {
 ///  - position limits of ball joints, and springs in planar and floating joints; both are ignored.
 ///
 /// A loop NAME adds two frames, NAME/first and NAME/second. Each frame is fixed to a link or to the
-/// world. A loop is an error if it has no name, no directions or an unknown link. It is also an
-/// error if another loop has the same name, or if both links are the same. If no joint between the
-/// two links moves, the links are one body. The loop is then removed if it is closed to 1 mm and
-/// 0.1 degrees along its directions. Otherwise the loop is an error.
+/// world. A loop causes an error if it has no name, no directions or an unknown link, if another
+/// loop has the same name, or if both of its links are the same. If no joint between the two links
+/// moves, the links are one body. The loop is then removed if it is closed to 1 mm and 0.1 degrees
+/// along its directions, and causes an error if it is not.
 ///
 /// Position limits apply to revolute and prismatic joints only. The other limits, damping, friction
 /// and armature of a planar, floating or ball joint apply to each entry of v.
 ///
 /// A mimic joint becomes a follower (Joint::follows). If the leader is a mimic joint too, the
-/// follower is coupled to the leader of that joint instead. Follower and leader must have one
+/// follower is coupled to the leader's own leader instead. Follower and leader must have one
 /// coordinate each. If the follower or the leader is continuous, the multiplier must be a whole
 /// number, since an angle on the circle has no other multiples. A prismatic joint cannot follow a
 /// continuous joint.
@@ -292,25 +294,26 @@ struct Model {
 /// are ignored if the follower or the leader is continuous.
 ///
 /// If the leader is locked or fixed, the follower is held at the position that the coupling
-/// requires. A follower can also be listed as locked itself. It is then held at its value in the
-/// posture. If the posture has no value for it, the leader must be locked too, and the coupling
+/// requires. A follower that is itself listed as locked is held at its value in the posture. If the
+/// posture has no value for the follower, the leader must be locked too, and the coupling
 /// determines the position.
 ///
 /// The dynamics exclude damping, friction, springs in joints, and springs and dampers of tendons.
 /// Their torques are RigidBody::passive_torque, which the caller adds. A spring of stiffness k in a
 /// joint has the torque -k (q - rest). For a continuous joint, q - rest is the shorter angle. For a
-/// ball joint, the torque is -k log(q). The spring of a follower acts at the leader, with stiffness
-/// times multiplier^2. If this leader is continuous, the multiplier must be 1 or -1, and the
-/// springs in both joints must rest at the same angle. A spring in a locked joint has no effect.
+/// ball joint, the torque is -k log(q). The spring of a follower acts at the leader, with its
+/// stiffness times multiplier^2. If this leader is continuous, the multiplier must be 1 or -1, and
+/// the springs in both joints must rest at the same angle. A spring in a locked joint has no
+/// effect.
 ///
 /// A held tendon has a constant length, which couples two joints: the second joint becomes a
 /// follower of the first. If only the first joint can follow, it becomes a follower of the second.
-/// A held tendon is an error if it couples only one joint, or more than two joints that are not
+/// A held tendon causes an error if it couples only one joint, or more than two joints that are not
 /// locked.
 ///
-/// A tendon is an error if one of its joints is unknown or has several coordinates. A tendon with a
-/// spring is also an error if one of its joints is continuous, since an angle on the circle has no
-/// length.
+/// A tendon causes an error if one of its joints is unknown or has several coordinates. A tendon
+/// with a spring also causes an error if one of its joints is continuous, since an angle on the
+/// circle has no length.
 Model build_model(const TreeSpec& tree, const ModelOptions& options = {});
 
 /// Returns a posture as a configuration (nq entries). Joints without a value stay at their neutral
@@ -318,9 +321,9 @@ Model build_model(const TreeSpec& tree, const ModelOptions& options = {});
 /// Error for an unknown name or a wrong number of values.
 ///
 /// A coupled joint (follower) can have a value while its leader has none. The leader's value is
-/// then computed from the follower's value. Only a continuous leader stays at its neutral position.
-/// Throws Error if the values of follower and leader disagree by more than 1e-3 (files are
-/// rounded).
+/// then computed from the follower's value. Exception: a continuous leader stays at its neutral
+/// position. Throws Error if the values of follower and leader violate the coupling by more than
+/// 1e-3 (files are rounded).
 Eigen::VectorXd configuration(const Model& model, const Posture& posture);
 
 }  // namespace burnish

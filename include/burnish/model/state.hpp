@@ -48,9 +48,8 @@ void check_tangent(const Model& model, const Eigen::Ref<const Eigen::VectorXd>& 
 
 /// Returns a sentence about each implausible value of a state, such as an angle in degrees. q has
 /// nq entries, v and tau have nv. Implausible values are
-///  - displacements that exceed a limit by more than the range between both limits;
-///  - angles that exceed a limit by more than the range between both limits and by more than one
-///    turn;
+///  - displacements that exceed a limit by more than the range from lower to upper limit;
+///  - angles that exceed a limit by more than this range and by more than one turn;
 ///  - positions beyond 1e4 rad or m of joints without limits;
 ///  - positions beyond 1e6 m of floating and planar joints;
 ///  - velocities above ten times their limit, or above 1e4 rad/s or m/s without a limit;

@@ -50,8 +50,8 @@ struct FaultReport {
   /// Subject of the fault: a monitored quantity, a support, or a part of the robot; empty if there
   /// is none
   /// @more With FaultKind::Watched, this is name and unit of the quantity. With
-  /// FaultKind::SupportSlipped, this is the name of the support. A part of the robot has words such
-  /// as "hand 'left'"
+  /// FaultKind::SupportSlipped, this is the name of the support. A part of the robot is named as in
+  /// "hand 'left'"
   std::string quantity = {};
   /// Name of the joint with the fault; empty: the fault concerns no joint
   std::string joint_name = {};

@@ -29,8 +29,8 @@ struct LinearFeedback {
 };
 
 /// Feedback policy over time, copied from the first knots of a solution. Only the constructors
-/// allocate. Two threads must not use one FeedbackPlan, because at() and control() write to its
-/// scratch memory.
+/// allocate. Two threads must not call at() or control() of one FeedbackPlan at the same time,
+/// because both functions write to its scratch memory.
 class FeedbackPlan {
  public:
   /// Allocates space for the first `knots` knots of the problem's horizon, or for the whole horizon

@@ -28,7 +28,7 @@ struct LoopMargins {
   /// @more Delays up to 0.01 s are tried. The value 0 means that the control loop is unstable even
   /// without extra delay
   double delay = 0.0;
-  /// Bandwidth of the model-error observer at the smallest delay margin [rad/s]
+  /// Bandwidth of the model-error observer for which the delay margin is smallest [rad/s]
   /// @more The delay margin is computed for up to three bandwidths
   double bandwidth = 0.0;
   std::vector<GainRange> gains = {};  ///< Stable ranges of torque factors, one per entry of v
@@ -36,8 +36,8 @@ struct LoopMargins {
 
 /// Closed loop of a controller and an arm in one phase of a schedule. The loop is linearized at
 /// rest in the specification's initial state. The model of the loop contains the mass matrix,
-/// gravity, surface, motors, filters, delays (as shift registers), the first gains of the plan, and
-/// the observer of torque errors and the force gain of ModelErrorOptions. Friction, noise, limits
+/// gravity, surface, motors, filters, delays (as shift registers), the first gains of the plan, the
+/// observer of torque errors, and the force gain from ModelErrorOptions. Friction, noise, limits
 /// and other estimators are left out.
 ///
 /// Each margin is the smallest over up to three bandwidths of the observer: the nominal bandwidth,

@@ -22,7 +22,7 @@ class DdpSolver;
 /// Call tick() once per `tick_period` with the current measurement. reset() restores the state of a
 /// new controller, except for payloads. With PlanTiming::Fixed, the same measurements after a
 /// reset() give bitwise the same torques. The first measurement may have any time. The schedule's
-/// clock starts at that time.
+/// clock starts with this measurement.
 ///
 /// The first solve may take long: it runs until it converges or reaches `first_iterations`. With
 /// PlanTiming::Thread, the fallback holds the robot during the first solve, and the schedule's
@@ -72,16 +72,16 @@ class MpcController final : public Controller {
 
   /// Sets the payload that the robot carries from the next tick on. `payload`: inertia in the axes
   /// of `frame`. A previous payload of the same body is replaced, and reset() keeps the payload.
-  /// Estimators and the fallback use it from the next tick on, plans when the next one begins. Call
-  /// set_payload() between ticks. The call does not allocate.
+  /// Estimators and the fallback use the new payload from the next tick on. Plans use the new
+  /// payload from the next plan on. Call set_payload() between ticks. The call does not allocate.
   ///
   /// If check_inertia() reports NotFinite or NotPhysical, returns that status and changes nothing;
   /// otherwise returns Ok. Throws Error for an unknown frame, with the nearest name, and for a
   /// frame that is fixed to the world.
   ///
   /// If an EstimatedBase estimates the base, set the payload there too (ClosedLoop::set_payload()
-  /// does both). While their masses differ, Command::status is NotPhysical and the fallback holds
-  /// the robot.
+  /// does both). While the payload masses of estimator and controller differ, Command::status is
+  /// NotPhysical and the fallback holds the robot.
   Status set_payload(std::string_view frame, const InertiaSpec& payload) override;
   double payload_mass() const noexcept override;
 
@@ -97,7 +97,7 @@ class MpcController final : public Controller {
   /// observer's estimate and the joint torques due to friction along the surface. The friction is
   /// the estimated ratio of friction to normal force, times the target force.
   const Eigen::VectorXd& torque_error() const;
-  /// Returns the estimated error of the normal force [N]. It is estimated only with
+  /// Returns the estimated error of the normal force [N]. This error is estimated only with
   /// ModelErrorKind::Force.
   double force_error() const;
   /// Returns the coefficients of friction that plans use for supports (see SlipOptions). Only

@@ -76,7 +76,7 @@ struct SafetyLimits {
 /// without measurements is not held and needs its brakes. When measurements return after the spring
 /// was switched off, q_hold is set to the measured configuration.
 struct Fallback {
-  /// Spring stiffness per inertia (0: a damper brakes the robot, no spring) [1/s^2], >= 0
+  /// Spring stiffness, multiplied by the mass matrix (0: no spring, only the damper) [1/s^2], >= 0
   double stiffness = 900.0;
   /// Damping, multiplied by the mass matrix [1/s], >= 0
   double damping = 40.0;
@@ -115,7 +115,7 @@ struct MpcSpec {
   MakeTask task = {};
   /// Frame of Measurement::tool_wrench; empty: the robot has no tool
   std::string tool = "tool";
-  /// Robot frame that carries the surface, such as a plate in the other hand; empty: the world
+  /// Robot frame that carries the surface, such as a hand that holds a plate; empty: the world
   /// @more The reaction to the force on the tool acts on this frame
   std::string base = {};
   /// Normal of the surface that the tool presses on, in the axes of `base` (world axes if `base` is
@@ -134,8 +134,8 @@ struct MpcSpec {
   /// @more Torque errors are then estimated in all joints, including the joints of supporting legs
   bool support_sensors = false;
   /// Whether the force of Measurement.tool_wrench is measured; if false, the force is estimated
-  /// @more The estimated force explains the change of the torque error at contact. The estimate
-  /// uses torques, positions and velocities, and requires model_error.kind torque
+  /// @more The force is estimated from the change of the torque error at contact. The estimate uses
+  /// torques, positions and velocities, and requires that model_error.kind is `torque`
   bool force_sensor = true;
   /// Time between ticks [s]
   double tick_period = 5e-4;
@@ -144,11 +144,11 @@ struct MpcSpec {
   /// Time before the first plan during which the fallback holds the robot in place [s], >= 0
   /// @more The estimators settle during this time. The schedule begins afterwards
   double settle = 0.0;
-  /// When a new plan comes into use: fixed, measured or thread
+  /// Rule for when a new plan comes into use: `fixed`, `measured` or `thread`
   PlanTiming timing = PlanTiming::Fixed;
   /// Time from a measurement to the use of the plan computed from that measurement [s]
-  /// @more With timing fixed, the delay is at most the update period. The new plan starts from the
-  /// state that is predicted for the end of the delay under the current policy
+  /// @more If `timing` is `fixed`, the delay is at most the update period. The new plan starts from
+  /// the state that is predicted for the end of the delay under the current policy
   double solver_delay = 0.0;
   /// Assumed delay from a torque command to the torque in the joint, rounded to ticks [s]
   /// @more The state at the end of the delay is predicted from the torques already sent. Plans and

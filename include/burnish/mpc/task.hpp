@@ -36,7 +36,7 @@ struct SchedulePhase {
   /// while the clock waits contain the rest of this phase and then the next phase. The last phase
   /// ignores its event
   std::string until = {};
-  /// Remaining time of the phase at which the schedule's clock waits for a late event [s]
+  /// Point where the schedule's clock waits for a late event: time before the end of the phase [s]
   /// @more If `hold` is longer than the phase, the clock waits at the start of the phase
   double hold = 0.05;
 };
@@ -61,9 +61,9 @@ class Schedule {
 
   void reset() noexcept;
   /// Advances the clock by `dt` [s]. Bit e of `happened` is 1 while event e of events() is present.
-  /// Only the event that ends the current phase matters. An ended phase stays ended when its event
-  /// disappears. Returns true if the clock jumped or waited. In this case, the times in earlier
-  /// plans are wrong.
+  /// Only the event that ends the current phase matters. A phase that has ended does not resume
+  /// when its event disappears. Returns true if the clock jumped or waited. In this case, the times
+  /// in earlier plans are wrong.
   bool advance(double dt, unsigned happened) noexcept;
   /// Sets the clock to the start of `phase`. An index beyond the last phase means the last phase.
   void jump_to(int phase) noexcept;
@@ -138,10 +138,10 @@ class MpcTask {
   /// Returns the events that are present now: bit e stands for entry e of events(). Called first in
   /// every tick, before the schedule's clock advances.
   virtual unsigned sense(const TaskView& /*view*/) noexcept { return 0; }
-  /// Returns the estimated surface that the tool touches or approaches. If null, plans keep the
-  /// last surface since reset(), or else the surfaces of the specification. Called after sense().
-  /// The quadric is a function of the tool's position in the frame MpcSpec::base (world if empty).
-  /// The function is zero where the tool touches the surface.
+  /// Returns the estimated surface that the tool touches or approaches. If the result is null,
+  /// plans keep the last surface since reset(), or else the surfaces of the specification. Called
+  /// after sense(). The quadric is a function of the tool's position in the frame MpcSpec::base
+  /// (world if empty). The function is zero where the tool touches the surface.
   ///
   /// The returned surface is the value of the input `surface` (docs/tasks.md). It replaces the
   /// surfaces of contacts that use this input, at all knots. The normal of the returned surface at

@@ -3,13 +3,13 @@
 // delay.
 //
 // MujocoContact::Exact supports every shape. A spring K [N/m] and a damper D [Ns/m] act on the
-// depth of the tool's tip below the exact surface. Coulomb friction acts along the surface. Both
-// forces are computed implicitly, from the state at the end of the step.
+// depth of the tool's tip below the exact surface. Coulomb friction acts along the surface. Normal
+// force and friction force are computed implicitly, from the state at the end of the step.
 //
 // MujocoContact::Engine is MuJoCo's own contact. It supports planes, spheres, cylinders and
 // ellipsoids, but no hollow shapes. The contact acts as a spring and a damper in series with an
-// apparent mass. The stiffness K and the damping D are set by solref = (-K R d, -D R d) with R = (1
-// - d) / d * A. Here, d is the impedance, and A is the inverse inertia of the tip in MuJoCo.
+// apparent mass. The stiffness K and the damping D are set by solref = (-K R d, -D R d). Here, d is
+// the impedance, A is the inverse inertia of the tip in MuJoCo, and R = (1 - d) / d * A.
 //
 // MuJoCo's elliptic friction cones lift a sliding tip with the force mu * D * speed, where mu is
 // the friction coefficient. Contact is lost if the lifting force exceeds the normal force.
@@ -34,8 +34,8 @@ struct MujocoPlantOptions {
   MujocoContact contact = MujocoContact::Exact;  ///< Contact model: exact or engine
   double dt = 5e-4;                              ///< Time step [s], > 0
 
-  /// Impedance d of MuJoCo's own contact, between 0 and 1 @more The contact has an apparent mass.
-  /// This mass is d / (1 - d) times the apparent mass of the tip.
+  /// Impedance d of MuJoCo's own contact, between 0 and 1 @more The contact acts with an apparent
+  /// mass of d / (1 - d) times the apparent mass of the tip.
   double impedance = 0.1;
   /// Ratio of frictional to normal impedance (MuJoCo's impratio), > 0
   double friction_ratio = 10.0;

@@ -19,8 +19,8 @@ struct ProblemCheckOptions {
 
   /// Seed of the random states; equal seeds give equal states on every machine
   std::uint64_t seed = 1;
-  /// Largest accepted error of a derivative, relative to the largest entry of the derivative block
-  /// @more The error is |derivative - finite difference|
+  /// Largest accepted error of a derivative, relative to the largest entry of its block
+  /// @more The error is |derivative - finite difference|. An example of a block is dnext_dq
   double tolerance = 1e-6;
 
   /// States around which random states are drawn; empty: the initial state at every knot
@@ -30,12 +30,13 @@ struct ProblemCheckOptions {
   /// @more N vectors of nu entries. Vectors for impacts are ignored
   std::vector<Eigen::VectorXd> u = {};
   /// Largest random change of a position, uniformly distributed [rad, m]
-  /// @more The number in m is for a robot of 1 m, and grows with the size of the robot
+  /// @more For lengths, the value is multiplied by the robot's size in m, rounded to a power of ten
   double position = 0.2;
   double velocity = 0.5;  ///< Largest random change of a velocity [rad/s], or in m/s
 
   /// Largest random change of a control or of a torque in the state [Nm], or in N
-  /// @more The number is for a robot of 20 kg and 1 m, and grows with the weight of the robot
+  /// @more The value is for a robot of 20 kg and 1 m. It is scaled with the robot's weight, and in
+  /// Nm also with the robot's size
   double torque = 5.0;
 
   /// Function called after each stage, with the number of finished stages and the number of all
@@ -54,7 +55,7 @@ struct ProblemCheckRow {
   /// Largest error, relative to the largest entry of the derivative block; infinite if a NaN
   /// occurred
   double worst_error = 0.0;
-  /// Entry with the largest error; the block has a name such as "dnext_dq", "dr_du" or "dcost_dv"
+  /// Entry with the largest error, in a derivative block such as "dnext_dq", "dr_du" or "dcost_dv"
   CheckEntry worst = {};
   bool pass = false;  ///< True if worst_error <= tolerance
 };
@@ -78,7 +79,8 @@ struct ProblemReport {
 ///  - every residual of a cost or a constraint, and every constraint row as expand() returns it,
 ///  - every cost term, and the sum of the costs as expand() returns it.
 /// The values come from roll() and residual(). Differences are central differences at three step
-/// lengths, extrapolated (Richardson). If the three results disagree, smaller steps follow.
+/// lengths, extrapolated (Richardson). If the three results disagree, differences with smaller
+/// steps follow.
 ///
 /// The random states of a stage are distributed over the stage's knots, so that targets over time
 /// are checked, too. A stage that the horizon does not contain is checked at knot 0. Afterwards

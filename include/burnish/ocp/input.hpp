@@ -7,7 +7,7 @@
 
 namespace burnish {
 
-/// Kind of value of a problem's input.
+/// Kind of value that an input of a problem can have.
 /// @described ocp
 enum class InputKind {
   Scalar,    ///< A number
@@ -28,7 +28,7 @@ enum class InputKind {
 struct InputSpec {
   std::string name = {};  ///< Unique name @required
   InputKind kind = InputKind::Scalar;
-  /// Value of the input until Problem::set_input() sets one, constant or over time; empty: none
+  /// Value until Problem::set_input() sets one: constant, or a function of time; empty: none
   /// @more While an input has no value, its uses keep the values of the specification. A vector
   /// needs a value, which defines its number of entries. A surface or an inertia cannot have one
   /// here

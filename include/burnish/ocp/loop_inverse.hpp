@@ -27,7 +27,8 @@ struct LoopInverse {
   /// Velocity and acceleration, nv entries each. Driven joints move as requested, as far as the
   /// loops permit. The motion of passive joints (without a motor) follows from the driven joints.
   Eigen::VectorXd v, a;
-  /// Torques, nv entries [Nm, N]. At passive joints (without a motor), at most `unbalanced`.
+  /// Torques, nv entries [Nm, N]. Torques of passive joints (without a motor) are at most
+  /// `unbalanced`.
   Eigen::VectorXd tau;
 
   /// Contact forces, one entry per row of all contacts [N, Nm]. Forces of loop contacts are
@@ -39,9 +40,9 @@ struct LoopInverse {
 
 /// Computes the motion of the passive joints from the motion of the driven joints, then torques and
 /// loop forces. A passive joint is a joint without a motor. If the torques are not unique, the
-/// motor torques have the least norm. `dynamics` must belong to `model` with its loops, and all
-/// contacts must be active. If the computation fails (is_usable() is false), `tau` is empty. Throws
-/// Error if `actuation` names an unknown joint.
+/// motor torques have the least norm. `dynamics` must belong to `model` and contain its loops as
+/// contacts. All contacts must be active. If the computation fails (is_usable() is false), `tau` is
+/// empty. Throws Error if `actuation` names an unknown joint.
 LoopInverse loop_inverse(const Model& model, ContactDynamics& dynamics, const LoopMotion& motion,
                          const ActuationSpec& actuation = {});
 

@@ -63,7 +63,7 @@ class NodeView {
   virtual VectorView force(int contact) const = 0;
 
   /// Returns d(velocity)/dv of a frame, written in `reference`, 6 x nv. With Reference::centered(),
-  /// the linear rows are dp/dq for the frame's position p. Valid until the next call.
+  /// the linear rows are dp/dq for the frame's position p. The result is valid until the next call.
   virtual MatrixView jacobian(int frame, const Reference& reference) const = 0;
   /// Returns d(force)/dz of a contact, rows x nz. Call this function only inside the residual's own
   /// jacobian().

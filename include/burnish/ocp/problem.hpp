@@ -58,34 +58,36 @@ class Problem final : public ShootingProblem {
   /// exist.
   void set_knot(int knot, int stage, double time);
   /// Sets the duration of a knot's step [s]. This duration replaces the step of the knot's stage,
-  /// even if set_knot() changes the stage later. The times of knots stay the same; set_knot()
-  /// changes them. Throws Error if the knot does not exist or is an impact. Also throws Error if
-  /// the step is not positive, or too long for stable Euler steps of the torque model.
+  /// even if set_knot() changes the stage later. set_step() does not change the times of knots; for
+  /// these, call set_knot(). Throws Error if the knot does not exist or is an impact. Also throws
+  /// Error if the step is not positive, or too long for stable Euler steps of the torque model.
   void set_step(int knot, double step);
   /// Advances the horizon by one knot: drops knot 0, renumbers the others, and appends a knot of
-  /// the given stage. If the previous last knot has its own step, the new knot gets the same step.
-  /// The terminal knot moves to the new end. Throws Error if the stage does not exist.
+  /// the given stage. If the knot before the appended one has its own step, the appended knot gets
+  /// the same step. The terminal knot moves to the new end. Throws Error if the stage does not
+  /// exist.
   void advance(int stage);
   /// input_names() returns the names of the inputs, in the order of ProblemSpec::inputs.
-  /// input_index() returns the index of an input, and throws Error with the nearest known name.
+  /// input_index() returns the index of an input. For an unknown name, throws Error with the
+  /// nearest known name.
   std::vector<std::string> input_names() const;
   int input_index(const std::string& name) const;
   /// Sets the value of a scalar, vector or rotation input, for all knots. The value replaces
   /// InputSpec::value where the input is used. It also replaces what set_target(), set_surface(),
-  /// set_term_surface() and set_friction() have set there. Signals of inputs follow with the next
-  /// set_knot() of each knot.
+  /// set_term_surface() and set_friction() have set there. Targets that are functions of inputs
+  /// (Signal::of_inputs()) change at the next set_knot() of each knot.
   ///
   /// Returns Ok, WrongSize, NotFinite (also for a negative friction, ratio or depth) or
   /// NotNormalized. Unless Ok is returned, nothing changes. Throws Error if the input does not
   /// exist, or is of another kind.
   Status set_input(int input, const ConstVectorRef& value);
-  /// Sets a scalar input, see above.
+  /// Sets a scalar input, like set_input() with a vector of one entry.
   Status set_input(int input, double value);
   /// Sets a scalar or vector input to value + exp(-(t - t_0) / decay_time) decaying. Here t is the
   /// time of a knot, and t_0 is the time of knot 0. `decay_time` [s] must be > 0; otherwise returns
-  /// NotFinite. advance() updates the value at all knots, like a new call of set_input(). After
-  /// set_knot() of knot 0, each other knot follows with its own next set_knot(). Otherwise like
-  /// set_input().
+  /// NotFinite. advance() updates the value at all knots, like a new call of set_input(). If
+  /// set_knot() changes the time of knot 0, the value at another knot changes only at the next
+  /// set_knot() of that knot. Otherwise like set_input().
   Status set_input(int input, const ConstVectorRef& value, const ConstVectorRef& decaying,
                    double decay_time);
   /// Sets a surface input. `surface` is written in the axes of the surfaces and target positions
@@ -95,12 +97,12 @@ class Problem final : public ShootingProblem {
   /// Sets an inertia input, see set_payload(). `payload` is written in the axes of
   /// InputSpec::frame. Otherwise like set_input().
   Status set_input(int input, const InertiaSpec& payload);
-  /// Returns the input to InputSpec::value. For an inertia, removes the payload of its body, also
-  /// one from set_payload(). Throws Error if the input does not exist.
+  /// Resets the input to InputSpec::value. For an inertia, removes the payload of its body, even if
+  /// set_payload() has set it. Throws Error if the input does not exist.
   void reset_input(int input);
   /// Returns the value of a scalar, vector or rotation input at a knot. The result is empty for a
-  /// surface, for an inertia, and without a value. It does not show calls of set_torque_bias().
-  /// Throws Error if the input or the knot does not exist.
+  /// surface, for an inertia, and for an input without a value. Torques from set_torque_bias() are
+  /// not in the result. Throws Error if the input or the knot does not exist.
   Eigen::VectorXd input_at(int input, int knot) const;
   /// Sets the target of one cost or constraint at one knot. The size of `target` depends on the
   /// kind of residual. The target is valid until the next set_knot() for this knot. advance()
@@ -137,7 +139,7 @@ class Problem final : public ShootingProblem {
   /// written in the axes of the frame. It replaces an earlier payload of the frame's body.
   /// Allocates nothing. Returns Ok. If check_inertia() returns NotFinite or NotPhysical for
   /// `payload`, returns this status and changes nothing. Throws Error if the frame is fixed to the
-  /// world, or with the nearest known name if it does not exist.
+  /// world. For an unknown frame, throws Error with the nearest known name.
   Status set_payload(std::string_view frame, const InertiaSpec& payload);
   /// Sets a constant torque that acts on the joints in addition to all torques of the model, nv
   /// entries [Nm, N]. Initially this torque is zero, or the value of
@@ -206,8 +208,8 @@ class Problem final : public ShootingProblem {
   const double* row_quadratic_weight(int knot) const override;
   /// Returns the curvature of constraint rows. Only two kinds of rows have curvature: distances
   /// with an upper limit, and friction cones with a lower limit. Both contain the length of a
-  /// vector, a position or a force. The curvature is computed as if the vector were linear in the
-  /// state.
+  /// vector, which is a relative position or a force. The curvature is computed as if the vector
+  /// were linear in the state.
   std::span<const RowCurvature> row_curvatures(int knot) const override;
   int max_curvatures() const override;
   void prepare(int workers) override;

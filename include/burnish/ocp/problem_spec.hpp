@@ -30,9 +30,9 @@ struct Penalty {
     /// sqrt(r^2 + width^2) - width. Approximately |r| for large |r|, and r^2 / (2 width) for small
     /// |r|
     SmoothAbsolute,
-    /// Sum over both limits. Let s be the distance of r from a limit, negative beyond the limit.
-    /// For s > width, a limit costs -log(s / width). Otherwise, it costs ((s / width - 2)^2 - 1) /
-    /// 2, a parabola that continues the logarithm smoothly
+    /// Sum of the costs of the lower and the upper limit. Let s be the distance of r from a limit,
+    /// negative beyond the limit. For s > width, a limit costs -log(s / width). Otherwise, it costs
+    /// ((s / width - 2)^2 - 1) / 2, a parabola that continues the logarithm smoothly
     LogBarrier,
   };
 
@@ -78,19 +78,20 @@ struct CostTerm {
   double weight = 1.0;
   Eigen::VectorXd weights = {};  ///< Weights of the rows, not negative; empty: 1 for every row
 
-  /// Penalty of each row; empty: a square, or the default penalty of the residual
+  /// Penalty of each row; empty: the default penalty of the residual, usually quadratic
   std::optional<Penalty> penalty = {};
-  /// Input that is added to the target; empty: none
-  /// @more A scalar or a vector needs as many entries as the target. A vector of 3 entries moves
-  /// the position of a placement. A rotation turns the target of a rotation or placement about the
-  /// target's own axes
+  /// Name of the input whose value is added to the target; empty: none
+  /// @more A scalar or vector input needs as many entries as the target. Exception: a vector of 3
+  /// entries moves the position of a target pose. A rotation input turns a target rotation or pose
+  /// about the target's own axes
   std::string offset_input = {};
-  /// Scalar input that multiplies the coefficient of friction (empty: none), at least 0
-  /// @more Values above 1 count as 1. For friction cones and centres of pressure with friction
+  /// Name of the scalar input that multiplies the friction coefficient; empty: none
+  /// @more The value is at least 0; values above 1 count as 1. The residual must be a friction
+  /// cone, or a centre of pressure with friction
   std::string friction_ratio_input = {};
-  /// Surface input (empty: none): it replaces the surface of the residual's reference
-  /// @more A residual without a curved reference needs a target position. The target position moves
-  /// into the surface along the normal, by the depth of the input
+  /// Name of the input whose surface replaces the surface of the residual's reference; empty: none
+  /// @more A residual without a curved reference needs a target position. The target position then
+  /// moves into the surface along the normal, by the depth of the input
   std::string surface_input = {};
 };
 
@@ -124,17 +125,18 @@ struct Constraint {
   double l1_weight = std::numeric_limits<double>::infinity();
   /// Quadratic penalty weight of violations, in cost per squared row unit, >= 0
   double quadratic_weight = 0.0;
-  /// Input that is added to the target; empty: none
-  /// @more A scalar or a vector needs as many entries as the target. A vector of 3 entries moves
-  /// the position of a placement. A rotation turns the target of a rotation or placement about the
-  /// target's own axes
+  /// Name of the input whose value is added to the target; empty: none
+  /// @more A scalar or vector input needs as many entries as the target. Exception: a vector of 3
+  /// entries moves the position of a target pose. A rotation input turns a target rotation or pose
+  /// about the target's own axes
   std::string offset_input = {};
-  /// Scalar input that multiplies the coefficient of friction (empty: none), at least 0
-  /// @more Values above 1 count as 1. For friction cones and centres of pressure with friction
+  /// Name of the scalar input that multiplies the friction coefficient; empty: none
+  /// @more The value is at least 0; values above 1 count as 1. The residual must be a friction
+  /// cone, or a centre of pressure with friction
   std::string friction_ratio_input = {};
-  /// Surface input (empty: none): it replaces the surface of the residual's reference
-  /// @more A residual without a curved reference needs a target position. The target position moves
-  /// into the surface along the normal, by the depth of the input
+  /// Name of the input whose surface replaces the surface of the residual's reference; empty: none
+  /// @more A residual without a curved reference needs a target position. The target position then
+  /// moves into the surface along the normal, by the depth of the input
   std::string surface_input = {};
 };
 
@@ -144,7 +146,7 @@ enum class Integrator {
   SemiImplicitEuler,  ///< v' = v + step a(q, v, tau), q' = q (+) step v'
 
   /// Classical Runge-Kutta with constant control; costs are evaluated at the start of the step
-  /// @note Of fourth order, also for free-flyers and planar joints.
+  /// @note The order is four, also for free-flyers and planar joints.
   RungeKutta4,
 };
 
@@ -161,7 +163,7 @@ struct TorqueModel {
     Exact,  ///< The torque error decays by exp(-cutoff step) over a step
     Euler,  ///< The torque error decays by 1 - cutoff step over a step
     Held,   ///< No filter: tau in the state is the control of the previous step, and the current
-            ///< control acts
+            ///< control acts on the robot
   };
   double cutoff = 0.0;  ///< Cut-off frequency of the low-pass filter [rad/s]
   Discretization discretization = Discretization::Exact;
@@ -201,11 +203,11 @@ struct Stage {
   bool impact = false;
 };
 
-/// Consecutive knots of one stage, with the stage's step or with steps of their own. Own steps are
-/// equal, or change from knot to knot by a constant factor. With growing steps, few knots cover a
-/// long time. Contact gains and friction speeds are set for the stage's step. A knot that is n
-/// times as long uses smaller gains for stability: kd / n and kp / n^2. The speeds below which
-/// friction fades are multiplied by n.
+/// Consecutive knots of one stage, with the stage's step or with steps of their own. The segment's
+/// own steps are equal, or change from knot to knot by a constant factor. With growing steps, few
+/// knots cover a long time. Contact gains and friction speeds are set for the stage's step. A knot
+/// that is n times as long as this step uses smaller gains for stability: kd / n and kp / n^2. The
+/// speeds below which friction fades are multiplied by n.
 /// @described ocp
 struct HorizonSegment {
   std::string stage = {};
@@ -246,8 +248,8 @@ struct ProblemSpec {
   Eigen::VectorXd control_upper = {};
   /// Named values that change between solves, such as an estimated surface
   std::vector<InputSpec> inputs = {};
-  /// Vector input of nv entries with a constant InputSpec.value (empty: none)
-  /// @more Its torque acts on the joints in addition to all torques of the model
+  /// Name of a vector input of nv entries with a constant InputSpec.value; empty: none
+  /// @more The value is a torque on the joints, in addition to all torques of the model
   std::string torque_bias_input = {};
   std::vector<Stage> stages = {};
   std::vector<HorizonSegment> horizon = {};
@@ -270,8 +272,8 @@ ProblemSpec with_loops(ProblemSpec spec);
 ///   max(0.01 m/s, 4 c N step / m),
 /// the largest over the stages in which the contact is active. In one step, friction changes the
 /// speed of the tool by c N step / m. Here c is the friction coefficient (0.3 if it is zero). N is
-/// the largest normal force in costs and constraints of the stage, or else the weight of m. The
-/// mass m is the smallest effective mass of the tool across the normal, at the initial state.
+/// the largest normal force in costs and constraints of the stage, or else the weight of the mass
+/// m. This mass is the smallest effective mass of the tool across the normal, at the initial state.
 ProblemSpec with_fade_speeds(ProblemSpec spec);
 
 /// Returns the duration of each knot of the horizon [s]; 0 at impacts. Throws Error if the horizon

@@ -41,7 +41,7 @@ struct Control {
 /// An empty target means zero.
 struct JointPosition {
   std::vector<std::string> joints = {};  ///< @name_of joint
-  Signal target = {};  ///< Target positions; None: zero, so the residual is the positions
+  Signal target = {};  ///< Target positions; None: zero, so the residual equals the positions
 };
 
 /// Velocity of joints minus the target, one row per entry of v, rad/s or m/s. If no joints are
@@ -64,9 +64,10 @@ struct JointTorque {
 };
 
 /// Rate of actuator torques of joints minus the target, Nm/s or N/s. The rate needs a torque model
-/// and a control. With a cut-off, the rate is cutoff (u - tau) at the start of the step, and decays
-/// over the step. With held torques, the rate is (u - tau) / step, where tau is the control of the
-/// previous step. If no joints are named, there are rows for all actuated joints.
+/// and a control u. With a cut-off, the rate is cutoff (u - tau) at the start of the step, where
+/// tau is the torque in the state. The rate decays over the step. With held torques, the rate is
+/// (u - tau) / step, where tau is the control of the previous step. If no joints are named, there
+/// are rows for all actuated joints.
 /// @described residual
 /// An empty target means zero.
 struct JointTorqueRate {
@@ -84,24 +85,24 @@ struct FramePosition {
   std::string frame = {};  ///< @name_of frame @stated
 
   /// Target position from the reference's origin, 3 entries [m]
-  /// @more Written in the axes in which the reference's rotation is fixed. With
+  /// @more Written in the axes of the frame Reference.axes, without Reference.rotation. With
   /// Reference::world(...), the target is a point of the world
   Signal target = {};
   Reference reference = Reference::world();
 };
 
 /// Distance of a frame's origin from the target, 1 row, m, along one or more axes of the reference.
-/// With three axes it is the distance from a point, with two from a line, with one from a plane.
-/// The base of the reference must be the world, and the reference's origin must not be the frame
-/// itself. For a distance d the row is sqrt(d^2 + (1e-6 m)^2), which is differentiable everywhere.
-/// At d = 0 the derivative of the row is zero.
+/// With three axes it is the distance from a point, with two axes from a line, with one axis from a
+/// plane. The base of the reference must be the world, and the reference's origin must not be the
+/// frame itself. For a distance d the row is sqrt(d^2 + (1e-6 m)^2), which is differentiable
+/// everywhere. At d = 0 the derivative of the row is zero.
 /// @described residual
 struct FrameDistance {
   std::string frame = {};  ///< @name_of frame @stated
 
   /// Target position from the reference's origin (None: the origin itself), 3 entries [m]
-  /// @more Written in the axes in which the reference's rotation is fixed. A target is required if
-  /// the origin is the world's origin
+  /// @more Written in the axes of the frame Reference.axes, without Reference.rotation. If the
+  /// reference's origin is the world's origin, a target is required
   Signal target = {};
   Directions directions = Directions::linear();  ///< Axes that count: one or more of x, y and z
   Reference reference = Reference::world();
@@ -171,9 +172,9 @@ struct ContactForce {
   Signal target = {};  ///< Target force; None: zero
 };
 
-/// Rate of change of an active contact's force minus the target, (f - f_before) / step, N/s and
-/// Nm/s. There is one row per constrained direction, in the contact's own reference. f_before is
-/// the force of the previous step. The contact must be in the problem's list force_states.
+/// Rate of change of an active contact's force f, (f - f_before) / step, minus the target, N/s and
+/// Nm/s. f_before is the force of the previous step. There is one row per constrained direction, in
+/// the contact's own reference. The contact must be in the problem's list force_states.
 /// @described residual
 /// An empty target means zero.
 struct ContactForceRate {
@@ -185,8 +186,8 @@ struct ContactForceRate {
 /// Here f_n is the force along the axis `normal` of the reference (0, 1, 2: x, y, z). f_t is the
 /// tangential force, and |f_t| is smoothed over 1e-3 N. With `sides` = n > 0, a pyramid inside the
 /// cone replaces the cone. There are then n rows, N: friction * cos(pi / n) * f_n - d_i . f_t. The
-/// tangents d_i are 360 / n degrees apart. The first tangent is the axis of the reference after the
-/// normal. Default penalty: a barrier at 0.
+/// tangents d_i are 360 / n degrees apart. The first tangent is the reference's axis that follows
+/// the normal (x follows z). Default penalty: a barrier at 0.
 /// @described residual
 /// The tangents turn from the axis after the normal (y after x, x after z) towards the next axis.
 /// If all n rows of the pyramid are at least zero, both rows of the cone are at least zero. The
@@ -207,18 +208,19 @@ struct FrictionCone {
 /// f_z. There are 4 rows, Nm: half_x f_z + m_y, half_x f_z - m_y, half_y f_z + m_x and half_y f_z -
 /// m_x. The centre of pressure is c = (-m_y, m_x) / f_z. In the order of the rows, a row is zero if
 /// c is at the edge with the largest x, smallest x, smallest y or largest y. With friction there
-/// are 8 more rows, Nm: the margins of the moment about the normal before the corners slip. The
-/// first 4 of the 8 rows limit negative moments, the last 4 positive moments. Each corner has the
-/// coefficient `friction`. Default penalty: a barrier at 0.
+/// are 8 more rows, Nm: the distances of the moment about the normal from the moments at which the
+/// corners slip. The first 4 of the 8 rows limit negative moments, the last 4 positive moments.
+/// Each corner has the coefficient `friction`. Default penalty: a barrier at 0.
 /// @described residual
-/// The largest moment about the normal decreases as the centre of pressure approaches an edge. It
-/// is zero at a corner, about which the foot can pivot. Source: S. Caron, Q.-C. Pham, Y. Nakamura,
-/// "Stability of surface contacts for humanoid robots: closed-form formulae of the contact wrench
-/// cone for rectangular support areas", ICRA 2015, equations 21 and 22. The equations assume a
-/// friction pyramid: |f_x| and |f_y| are each at most the coefficient times f_z. For a pyramid
-/// inside a friction cone, use the cone's coefficient divided by sqrt(2). In Problem::set_target(),
-/// the target is the friction coefficient. The contact must constrain the normal, but may leave one
-/// other direction free. The force or moment along a free direction is zero.
+/// The largest moment that friction can hold about the normal decreases as the centre of pressure
+/// approaches an edge. At a corner this moment is zero, and the foot can pivot about the corner.
+/// Source: S. Caron, Q.-C. Pham, Y. Nakamura, "Stability of surface contacts for humanoid robots:
+/// closed-form formulae of the contact wrench cone for rectangular support areas", ICRA 2015,
+/// equations 21 and 22. The equations assume a friction pyramid: |f_x| and |f_y| are each at most
+/// the coefficient times f_z. For a pyramid inside a friction cone, use the cone's coefficient
+/// divided by sqrt(2). In Problem::set_target(), the target is the friction coefficient. The
+/// contact must constrain the normal, but may leave one other direction free. The force or moment
+/// along a free direction is zero.
 struct CenterOfPressure {
   std::string contact = {};  ///< @name_of contact @stated
   double half_x = 0.1;       ///< Half length of the rectangle along the tool's x [m], > 0 @stated

@@ -30,15 +30,15 @@ struct StepError {
 /// @described ocp @result
 struct StepReport {
   /// Status ok, or the reason why the errors of `knot` cannot be computed
-  /// @more Not converged: the smallest steps still disagree. Other reasons: a number is not finite,
-  /// or the contacts cannot be solved
+  /// @more Not converged: the results of the smallest steps still differ. Other reasons: a number
+  /// is not finite, or the contacts cannot be solved
   Status status = Status::Ok;
   int knot = -1;            ///< First knot whose errors cannot be computed; -1: none
   StepError position = {};  ///< Worst position error, as a difference of configurations
   StepError velocity = {};
   bool coarse = false;  ///< True if an error exceeds its limit or cannot be computed
 
-  /// Step that is short enough at the worst knot (0: the steps are short enough, or no step is) [s]
+  /// Sufficient step at the worst knot (0: all steps are short enough, or none was found) [s]
   double sufficient_step = 0.0;
 
   /// Returns one sentence with both errors.
@@ -49,18 +49,18 @@ struct StepReport {
 };
 
 /// Estimates the discretization errors of a trajectory (xs: (N + 1) x nx, us: N x max_controls).
-/// Each knot is integrated again from its state, with constant control, in small steps of fourth
-/// order. The final state is compared with the final state of the problem's own step. Contacts,
-/// friction, springs and the torque filter are as in the knot's stage. The small steps are halved
-/// until the final state no longer changes by more than a fiftieth of the error or of its limit.
-/// Impacts take no time and are not compared.
+/// Each knot is integrated again from its state, with constant control, by a fourth-order method
+/// with small steps. The final state is compared with the final state of the problem's own step.
+/// Contacts, friction, springs and the torque filter are as in the knot's stage. The small steps
+/// are halved until the final state no longer changes by more than a fiftieth of the error or of
+/// its limit. Impacts take no time and are not compared.
 ///
 /// The limit of an error depends on the largest speed that the entry of v reaches in the
 /// trajectory:
-///  - position: 0.01 rad (m), or the distance in 25 ms at this largest speed if that is larger. The
-///    control loops of a robot have delays of the same size. Semi-implicit steps of up to 50 ms
+///  - position: 0.01 rad (m) or, if larger, the distance travelled in 25 ms at this largest speed.
+///    Delays in control loops of robots are about 25 ms, too. Semi-implicit steps of up to 50 ms
 ///    satisfy the limit, since their position error is about half a step of motion;
-///  - velocity: 0.1 rad/s (m/s), or a tenth of this largest speed if that is larger.
+///  - velocity: 0.1 rad/s (m/s) or, if larger, a tenth of this largest speed.
 /// Throws Error for matrices of other sizes.
 StepReport check_steps(const Problem& problem, const MatrixView& xs, const MatrixView& us);
 

@@ -20,13 +20,14 @@ struct MetricsSpec {
   /// End of the time window [s]
   double end = std::numeric_limits<double>::infinity();
   /// Surface normal towards the robot, in world axes (none: the true normal at the tool, in each
-  /// row)
+  /// row of the trace)
   /// @more Forces are measured along the normal, position errors perpendicular to the normal. The
   /// normal may have any length except zero
   std::optional<Eigen::Vector3d> normal_world = {};
   /// Width of the centred moving average of the force (0: no average) [s]
   double average = 0.010;
-  /// Direction in which the tool presses, in the tool's frame (none: no Metrics.tool_to_normal)
+  /// Direction in which the tool presses, in the tool's frame (none: Metrics.tool_to_normal is not
+  /// computed)
   /// @more The vector may have any length except zero
   std::optional<Eigen::Vector3d> tool_axis = {};
   /// Axes of the tool at the start of the trace, as columns in world axes
@@ -82,8 +83,8 @@ struct Metrics {
   double without_contact = 0.0;
   /// Largest normal force in the first 50 ms of contact in the run [N]
   std::optional<double> impact_peak;
-  /// Largest value of averaged force minus target force between the end of the force ramp and the
-  /// start of the time window, at least 0 [N].
+  /// Largest excess of the averaged force over the target force between the end of the force ramp
+  /// and the start of the time window, at least 0 [N].
   std::optional<double> overshoot;
 
   /// Mean distance from the tool to its target, perpendicular to the normal [m]

@@ -10,8 +10,8 @@ namespace burnish {
 class MpcController;
 struct Command;
 
-/// Values at the first knot of each recorded plan. Gains and derivatives of the value function come
-/// from the solver's last backward pass.
+/// Values at the first knot of each recorded plan. The Riccati gains and the derivatives of the
+/// value function come from the solver's last backward pass.
 struct PlanStart {
   int nx = 0, ndx = 0, nu = 0;
   /// State at the first knot, plans x nx
@@ -30,7 +30,7 @@ struct PlanStart {
 struct PlanRecord {
   /// Time of each plan's first knot [s]
   std::vector<double> time = {};
-  /// Names of the cost terms, from all stages in the plans
+  /// Names of the cost terms of all stages that occur in the plans
   std::vector<std::string> terms = {};
   /// Cost of each term in each plan, terms x plans. Each cost is a sum over all knots of the plan,
   /// including the terminal knot.
@@ -53,9 +53,9 @@ class PlanRecorder {
   ///   first plan this time is zero.
   /// - `rate` is the largest rate of recorded plans [Hz]. If it is 0, nothing is recorded.
   PlanRecorder(MpcController& controller, double step, double solver_delay, double rate);
-  /// Copies the controller's plan if it is new and if the recording rate permits it. Call look()
-  /// after each tick. `time` is the time of the measurement [s], and `command` is the command from
-  /// the tick.
+  /// Copies the controller's plan if the plan is new and the recording rate permits another record.
+  /// Call look() after each tick. `time` is the time of the measurement [s], and `command` is the
+  /// command from the tick.
   void look(double time, const Command& command);
   PlanRecord take() { return std::move(record_); }
 

@@ -32,7 +32,7 @@ struct StandingFigures {
   double com_moved = 0.0;  ///< Largest displacement of the centre of mass since the start [m]
 };
 
-/// Returns the standing measures of a trace of ClosedLoop. `model` and `supports` must be the model
+/// Computes StandingFigures from a trace of ClosedLoop. `model` and `supports` must be the model
 /// and the supports of the plant. A failed plant leaves an invalid state in the trace. Rows from
 /// the first invalid state on are not used.
 ///

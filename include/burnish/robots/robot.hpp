@@ -28,7 +28,7 @@ struct Robot {
   std::vector<std::string> notes;
 
   /// Returns the configuration of a named posture. If the robot has kinematic loops, the
-  /// configuration is adjusted to close them (see closed_configuration()). Throws Error if the
+  /// configuration is adjusted to close the loops (see closed_configuration()). Throws Error if the
   /// loops cannot be closed, or with the nearest known name if no posture has this name.
   Eigen::VectorXd posture(const std::string& name) const;
   /// Returns the configuration of the default posture, or the neutral configuration if there is no
@@ -46,11 +46,11 @@ struct RobotOverrides {
   /// file. Empty: no change.
   std::vector<std::string> free;
 
-  /// Name of the link, joint or frame to which a tool is attached. It has an effect only for a
-  /// robot without a settings file. Joints that do not move the tool, such as joints of another arm
-  /// or a head, are then locked. Nothing would define their motion. Fingers of a gripper are locked
-  /// too, and a note reports this. If only fingers move the tool, they stay free. If the name is
-  /// empty or unknown, all joints move.
+  /// Name of the link, joint or frame to which a tool is attached. This name has an effect only for
+  /// a robot without a settings file. Joints that do not move the tool, such as joints of another
+  /// arm or a head, are then locked, since nothing would define their motion. Fingers of a gripper
+  /// are locked too, and a note reports this. If only fingers move the tool, they stay free. If the
+  /// name is empty or unknown, all joints move.
   std::string carrying;
   /// Name of the posture in which joints are locked. If the name is empty, `posture` of the
   /// settings file is used, else its `default_posture`, else zero positions.
@@ -71,6 +71,7 @@ struct RobotOverrides {
 /// Robots of the library are searched in the folders of robot_search_path(): $BURNISH_ROBOTS, then
 /// share/burnish/robots around the running program or library, then the folder where the library
 /// was built or installed.
+///
 /// Throws Error with the file, the place in the file and the requirement. One Error lists all
 /// problems of a URDF file. Odd but usable content is reported in `warnings` of the result.
 ///
@@ -101,9 +102,9 @@ struct RobotOverrides {
 /// same folder or ../srdf. Postures of the settings take precedence over postures of an SRDF file.
 /// Loops of the settings take precedence over loops of the same name in the description.
 ///
-/// If a posture leaves a kinematic loop open, Robot::posture() moves joints to close the loop. If
-/// this fails, load_robot() throws Error. If a posture has values for all joints, a warning reports
-/// a loop with a gap above 1 mm or 0.1 degrees.
+/// If a posture leaves a kinematic loop open, Robot::posture() moves joints to close the loop.
+/// load_robot() throws Error if that is not possible. If a posture has values for all joints, a
+/// warning reports a loop with a gap above 1 mm or 0.1 degrees.
 ///
 /// The keys of a variant replace the same keys of the settings file. Keys with named entries, such
 /// as postures, are merged: an entry of the variant replaces the entry of the same name. A `lock`

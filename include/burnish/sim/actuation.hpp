@@ -37,11 +37,12 @@ struct ActuationStep {
 };
 
 /// Simulates the motors, which turn a torque command into joint torques. The stages are, in this
-/// order: delay; lag; scale and bias, or a torque loop; noise; effort limits; motor failures. Call
-/// apply() once per plant step. After construction nothing is allocated or thrown.
+/// order: delay; lag; scale and bias (or a torque loop instead); noise; effort limits; motor
+/// failures. Call apply() once per plant step. After construction nothing is allocated or thrown.
 class Actuation {
  public:
-  /// Creates the motors for plant steps of `dt` [s]. Throws Error if check_disturbances() does.
+  /// Creates the motors for plant steps of `dt` [s]. Throws Error in the same cases as
+  /// check_disturbances().
   Actuation(const Model& model, const Disturbances& disturbances, double dt);
   ~Actuation();
   /// Copies the motors, including the state of the random number generators.
@@ -50,9 +51,9 @@ class Actuation {
   Actuation& operator=(const Actuation& other);
   Actuation& operator=(Actuation&&) noexcept;
 
-  /// Restarts the motors with the same sequence of random numbers. Delay and lag start with the
-  /// torque `tau` (nv entries), or with zero torque if `tau` is not given. If `tau` has the wrong
-  /// size, nothing is reset.
+  /// Restarts the motors and their sequence of random numbers. Delay and lag start with the torque
+  /// `tau` (nv entries), or with zero torque if `tau` is not given. If `tau` has the wrong size,
+  /// nothing is reset.
   void reset() noexcept;
   void reset(const ConstVectorRef& tau) noexcept;
 

@@ -32,15 +32,16 @@ struct ClosedLoopOptions {
   bool support_sensors = true;
 };
 
-/// Runs a controller and a plant in closed loop. The plant advances by its own step. The controller
-/// ticks at the start of every control period, and its torque command is held until the next tick.
+/// Runs a controller and a plant in closed loop. The plant advances in its own time steps. The
+/// controller ticks at the start of every control period, and its torque command is held until the
+/// next tick.
 ///
 /// A row of the trace describes one plant step. Time, state, tool, measurement and command are
 /// values at the start of the step. Forces and torques are values during the step.
 ///
 /// Columns of the trace, where `<joint>` is a name from Model::v_name (from Model::q_name for q).
-/// If the robot has no tool, the columns of the tool, its forces, normals, friction and contact are
-/// missing:
+/// If the robot has no tool, the columns of the tool and of its forces, normals, friction and
+/// contact are missing:
 ///     time [s], phase [-], status [-]              phase and status of the Command
 ///     tool_x|y|z_world [m]                         true position of the tip's frame
 ///     tool_rx|ry|rz_start [rad]                    rotation of the tip's frame since reset(), as a
@@ -82,11 +83,11 @@ class ClosedLoop {
  public:
   /// Connects a plant and a controller, which must both outlive the loop. Throws Error
   /// - if the control period is not a multiple of the plant's step,
-  /// - if the numbers of torques of controller and plant differ,
+  /// - if controller and plant have different numbers of torques,
   /// - if an option is out of range or a disturbance is invalid.
   ///
-  /// The constructor does not apply disturbances of model and scene: create the plant with
-  /// plant_model() and plant_scene().
+  /// The constructor does not apply the disturbances of model and scene. To apply them, create the
+  /// plant with plant_model() and plant_scene().
   ClosedLoop(Plant& plant, Controller& controller, const Disturbances& disturbances = {},
              const ClosedLoopOptions& options = {});
   ~ClosedLoop();
@@ -103,9 +104,9 @@ class ClosedLoop {
                      const FootContactOptions& feet = {});
 
   /// Sets the payload that controller and base estimator assume, from the next tick on. The plant
-  /// does not change. `payload`: inertia in the axes of `frame`. A previous payload of the same
-  /// body is replaced, and reset() keeps the payload. Call it after estimate_base(), which creates
-  /// the estimator without payloads. Allocates nothing.
+  /// does not change. `payload` is an inertia in the axes of `frame`. A previous payload of the
+  /// same body is replaced, and reset() keeps the payload. Call set_payload() after
+  /// estimate_base(), which creates the estimator without payloads. Allocates nothing.
   ///
   /// Returns Ok. Returns NotEvaluated if the controller does not account for payloads. If
   /// check_inertia() reports NotFinite or NotPhysical, returns that status and changes nothing.

@@ -24,8 +24,8 @@ struct Push {
   /// Force in world axes, at the frame's origin [N] @key force
   Eigen::Vector3d force_world = Eigen::Vector3d::Zero();
   /// Frame that the force acts on (tip, or empty: the tip's frame)
-  /// @more If the robot has no tool, ClosedLoop refuses an empty frame. Tasks without a tool use
-  /// the floating base.
+  /// @more If the robot has no tool, ClosedLoop refuses an empty frame, and tasks use the floating
+  /// base instead.
   /// @word tip
   std::string frame = {};
 };
@@ -57,8 +57,8 @@ struct UnknownPayload {
   /// Largest random change of the mass [kg], >= 0
   /// @more A random r with |r| <= mass_range is added to the mass. A negative sum counts as zero
   double mass_range = 0.0;
-  /// Largest random change of each entry of the centre [m], >= 0
-  /// @more A random r with |r| <= com_range is added to each entry
+  /// Largest random change of each coordinate of the centre [m], >= 0
+  /// @more A random r with |r| <= com_range is added to each coordinate
   double com_range = 0.0;
 };
 
@@ -82,9 +82,9 @@ struct ImuFault {
 /// motors. A disturbance without a value is off. The values zero, empty and false also mean off.
 /// Random values are drawn from the seed.
 ///
-/// In the descriptions of the members, a joint is one entry of v. A floating base has no motors and
-/// no encoders. The base's entries of v therefore have no motor errors, no joint friction and no
-/// encoder rounding. Units are given for revolute joints; for prismatic joints, replace rad by m
+/// In the descriptions of the members, "joint" means one entry of v. A floating base has no motors
+/// and no encoders. The base's entries of v therefore have no motor errors, no joint friction and
+/// no encoder rounding. Units are given for revolute joints; for prismatic joints, replace rad by m
 /// and Nm by N.
 /// @described sim
 struct Disturbances {
@@ -118,7 +118,8 @@ struct Disturbances {
   double torque_noise_share = 0.0;
   /// Whether joint torques are clipped to the robot's effort limits
   bool torque_limits = true;
-  /// Whether a torque control loop cancels torque scale, torque bias and joint friction
+  /// Whether a torque control loop cancels the effects of torque scale, torque bias and joint
+  /// friction
   /// @more The control loop uses a torque sensor in each joint. Within its bandwidth the loop is
   /// ideal, but the noise of the sensor disturbs the torque
   bool torque_loop = false;
@@ -156,7 +157,8 @@ struct Disturbances {
   bool finite_difference_velocity = false;
   /// Cut-off of the low-pass filter on finite-difference velocities (0: no filter) [rad/s], >= 0
   double velocity_cutoff = 0.0;
-  /// Standard deviation of the noise of the tool's force sensor, per axis [N], >= 0
+  /// Standard deviation of the noise of the tool's force sensor, per axis of the tool's frame [N],
+  /// >= 0
   double force_noise = 0.0;
   /// Cut-off of the low-pass filter on measured forces and moments (0: no filter) [rad/s], >= 0
   /// @more Noise is added before the filter
@@ -192,7 +194,7 @@ struct Disturbances {
   double accelerometer_step = 0.0;
   /// Faults of the inertial measurement unit; in files: [{start: s, duration: s, gyro_offset: [x,
   /// y, z] in rad/s, accelerometer_offset: [x, y, z] in m/s^2, frozen: true, silent: true}, ...].
-  /// Offsets are in the unit's axes. Entries left out are off. A fault without a duration lasts
+  /// Offsets are in the unit's axes. Keys left out are off. A fault without a duration lasts
   /// forever
   std::vector<ImuFault> imu_faults = {};
 
@@ -203,8 +205,8 @@ struct Disturbances {
   /// Payload that the plant carries and the controller's model lacks
   UnknownPayload payload = {};
   /// Tilt of the plant's surface about its two tangents [degrees], between -90 and 90
-  /// @more The controller does not know the tilt. The two axes of rotation pass through the
-  /// surface's point. The rotation about the second tangent is applied first
+  /// @more The controller does not know the tilt. Both axes of rotation pass through the reference
+  /// point of the surface. The rotation about the second tangent is applied first
   Eigen::Vector2d surface_tilt_deg = Eigen::Vector2d::Zero();
   /// Offset of the plant's surface along its normal [m]
   /// @more The offset is applied before the tilt
@@ -234,9 +236,9 @@ struct Disturbances {
 ///   0.3 N for the tool's force sensor, 1 N and 0.1 Nm for the supports' sensors, 0.05 Nm for the
 ///   motors. The motors' noise is at most 1/80 of a joint's effort limit. An inertial measurement
 ///   unit has noise and biases.
-/// - mismatch: the preset sensors; also masses and inertias 5 % above the controller's model, and a
-///   friction coefficient of the surface of 0.3.
-/// - joint_friction: the preset mismatch; also 1 Nm of Coulomb and 1 Nms/rad of viscous joint
+/// - mismatch: everything in `sensors`; also masses and inertias 5 % above the controller's model,
+///   and a friction coefficient of the surface of 0.3.
+/// - joint_friction: everything in `mismatch`; also 1 Nm of Coulomb and 1 Nms/rad of viscous joint
 ///   friction. Coulomb friction is at most 1/20 of a joint's effort limit. If this bound applies,
 ///   viscous friction is reduced in the same ratio.
 const std::vector<std::string>& disturbance_presets();
@@ -256,8 +258,8 @@ void check_disturbances(const Model& model, const Disturbances& disturbances);
 Payload carried_payload(const Disturbances& disturbances);
 
 /// Returns the plant's model: `nominal` (the controller's model) with scaled masses, the payload
-/// and the joint friction of the disturbances. Joint friction of the disturbances replaces the
-/// friction of `nominal`, even if it is zero. Throws Error for invalid disturbances (see
+/// and the joint friction of the disturbances. Joint friction of the disturbances, even if zero,
+/// replaces the friction of `nominal`. Throws Error for invalid disturbances (see
 /// check_disturbances()), and if the robot does not have the payload's frame.
 Model plant_model(const Model& nominal, const Disturbances& disturbances);
 

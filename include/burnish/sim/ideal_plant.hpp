@@ -1,9 +1,10 @@
 // Plant with burnish's own contact dynamics, a rigid surface and exact torques. Without model
 // errors, a run shows the controller's own error. The plant needs no other program.
 //
-// Motion obeys M a + b = tau + J^T lambda, with one contact row along the surface's normal. It is
-// integrated by the fourth-order method of Runge and Kutta on the manifold of configurations (H.
-// Munthe-Kaas, "High order Runge-Kutta methods on manifolds", 1999).
+// The acceleration a obeys M a + b = tau + J^T lambda, with mass matrix M, bias torques b and joint
+// torques tau. lambda is the contact force along the surface's normal, and J its Jacobian. The
+// motion is integrated by the fourth-order method of Runge and Kutta on the manifold of
+// configurations (H. Munthe-Kaas, "High order Runge-Kutta methods on manifolds", 1999).
 //
 // Contact begins with a plastic impact when the tip reaches the surface. Contact ends when the
 // normal force would become a pull.
@@ -42,7 +43,7 @@ struct IdealPlantOptions {
 };
 
 /// Creates a plant with burnish's own contact dynamics. Joint limits do not stop the joints. If the
-/// tip is on the surface at reset(), or inside it by rounding, the plant starts in contact.
+/// tip is on the surface at reset(), or inside it by a rounding error, the plant starts in contact.
 ///
 /// Throws Error if checked_scene() rejects the scene, if the scene has supports, and if an option
 /// is out of range. Also throws Error for a surface that moves, is curved or is carried by the

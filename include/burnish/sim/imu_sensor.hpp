@@ -19,15 +19,15 @@ namespace burnish {
 /// allocated or thrown.
 class ImuSensor {
  public:
-  /// Mounts the unit at `frame` (empty: the body of the robot's first joint). Throws Error if
-  /// check_disturbances() does, and for a frame that is unknown or fixed to the world.
+  /// Mounts the unit at `frame` (empty: the body of the robot's first joint). Throws Error in the
+  /// same cases as check_disturbances(), and for a frame that is unknown or fixed to the world.
   ImuSensor(const Model& model, const std::string& frame, const Disturbances& disturbances);
   ~ImuSensor();
   ImuSensor(ImuSensor&&) noexcept;
   ImuSensor& operator=(ImuSensor&&) noexcept;
 
-  /// Restarts the sensor: discards the previous reading, and restarts the same sequence of random
-  /// numbers with the same initial biases.
+  /// Restarts the sensor: discards the previous reading, and restarts the sequence of random
+  /// numbers with the same initial biases as before.
   void reset() noexcept;
 
   /// Returns the reading at the robot's true configuration q (nq entries) and velocity v (nv

@@ -38,8 +38,8 @@ class Plant {
 
   /// Advances by dt(), with constant torques and a constant force on the tip. `tau` (nv entries)
   /// are the torques [Nm or N]; the entries of a floating base are a wrench in the base's axes.
-  /// `push_world` is a force at the origin of the tip's frame, in world axes [N]. It has no effect
-  /// if the robot has no tool.
+  /// `push_world` is a force at the origin of the tip's frame, in world axes [N]. This force has no
+  /// effect if the robot has no tool.
   ///
   /// Returns WrongSize or NotFinite for an invalid `tau` or `push_world`, and NotFinite if the
   /// resulting motion is not finite.

@@ -161,7 +161,7 @@ bool acts_at(const Spell& spell, double time) noexcept {
 double friction_under(const SceneSpec& scene, const SupportSpec& support, double time) noexcept;
 
 /// Returns the scene with all normals scaled to length one. Throws Error for
-/// - a number that is not finite (unless infinite is permitted) or out of its range,
+/// - a number that is not finite (unless infinity is permitted) or out of its range,
 /// - a zero normal,
 /// - an invalid shape, or a hollow shape into which the tip does not fit,
 /// - a frame (of tip, surface, support or gantry) that is unknown or fixed to the world,

@@ -20,7 +20,7 @@ class Sensing {
  public:
   /// Creates the sensors of a plant. `supports` is the number of supports with measured wrenches.
   /// `period` is the time between measurements [s]. The measurement delay is rounded to a multiple
-  /// of `period`. Throws Error if check_disturbances() does.
+  /// of `period`. Throws Error in the same cases as check_disturbances().
   Sensing(const Model& model, const Disturbances& disturbances, int supports = 0,
           double period = 1e-3);
   ~Sensing();
@@ -29,7 +29,7 @@ class Sensing {
   /// at `frame` (empty: the robot's first body). Throws Error in the same cases as ImuSensor.
   void mount_imu(const Model& model, const std::string& frame);
 
-  /// Discards all measurements and restarts the same sequence of random numbers.
+  /// Discards all measurements and restarts the sequence of random numbers.
   void reset() noexcept;
 
   /// Returns the measurement of the plant's present state. `applied` (nv entries) are the torques

@@ -84,7 +84,7 @@ struct DdpSummary {
 
   /// Largest gap in the returned trajectory, between the end of a step and the next state
   double largest_gap = 0.0;
-  /// Knot k with the largest gap, between x_k and the end of step k - 1; 0: from the initial state
+  /// Knot k at which x_k differs most from the end of step k - 1 (k = 0: from the initial state)
   int gap_knot = 0;
   int gap_entry = 0;  ///< Entry of dx with the largest gap
 
@@ -120,7 +120,7 @@ struct DdpSummary {
   int term = -1;
   int row = -1;  ///< Constraint row that is not finite; -1: none
 
-  /// True if the derivatives are not finite, but the values are; only for NotEvaluated
+  /// True if values are finite but derivatives are not finite; only for NotEvaluated
   bool in_derivatives = false;
   /// First control whose pivot in the control Hessian Quu is not positive; only for
   /// NotPositiveDefinite
@@ -151,7 +151,7 @@ struct CostReport {
     std::vector<Entry> terms;
   };
   /// A constraint row at its worst knot: the knot with the largest violation. If the row is never
-  /// violated, the worst knot is the one closest to a limit.
+  /// violated, the worst knot is the knot at which the row is closest to a limit.
   /// @described solver.LimitedRow @result
   struct Row {
     std::string name;  ///< Name of the row, as in Problem.row_names
@@ -159,7 +159,7 @@ struct CostReport {
     double value;
     double lower;
     double upper;
-    /// Violation of the limits; within the limits, minus the distance to the nearest limit
+    /// Violation of the limits; negative within them: minus the distance to the nearest limit
     double violation;
     double scale = 0.0;  ///< Characteristic size of the row, in the row's unit
 
@@ -188,7 +188,7 @@ struct CostReport {
   std::vector<Row> rows;     ///< One entry for each constraint row, in order of appearance
   std::vector<ActiveLimit> limits;  ///< Active or violated rows, knot by knot
 
-  /// Returns the rows that are active at one or more knots, the largest |multiplier| * scale first.
+  /// Returns rows that are active at any knot, sorted by |multiplier| * scale, the largest first.
   std::vector<Row> active_constraints() const;
 
   /// Returns a readable table of the terms, the most expensive first. The table also has the five
@@ -237,7 +237,7 @@ class DdpSolver {
 
   /// Sets the guess for the next solve: states xs, (N + 1) x nx, and controls us, N x max_controls,
   /// with one row per knot. Without this call, a solve starts from the last result. Throws Error
-  /// for other sizes.
+  /// for matrices of other sizes.
   void set_guess(const Eigen::Ref<const RowMatrix>& xs, const Eigen::Ref<const RowMatrix>& us);
   /// Sets the guess for the next solve from raw memory in the layout of TrajectoryView. Throws
   /// nothing.
@@ -275,9 +275,10 @@ class DdpSolver {
   VectorView feedforward(int knot) const;
   PaddedView gain(int knot) const;
   /// Returns the multipliers of a knot's constraint rows, in cost per unit of the row. The
-  /// magnitude is the cost that would be saved per unit if the active limit moved outwards. The
-  /// sign is positive if the upper limit is active, and negative if the lower limit is active. The
-  /// magnitude is at most the row's L1 penalty weight. Empty if the problem has no constraint rows.
+  /// magnitude is the cost that would be saved per unit of the row if the active limit moved
+  /// outwards. The sign is positive if the upper limit is active, and negative if the lower limit
+  /// is active. The magnitude is at most the row's L1 penalty weight. Empty if the problem has no
+  /// constraint rows.
   VectorView multipliers(int knot) const;
   /// Return the gradient (ndx) and the Hessian (ndx x ndx) of the value function at a knot, 0 to N.
   /// Both are taken at the last linearized iterate.

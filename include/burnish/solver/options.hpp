@@ -87,7 +87,7 @@ struct LimitOptions {
   int max_sweeps = 100;
 
   /// Number of factorizations in an iteration before an interior-point method starts, >= 0
-  /// @more The interior-point method searches the active set. It starts only if at least 20
+  /// @more The interior-point method finds the active set. It starts only if at least 20
   /// factorizations of max_factorizations are left. It uses at most 80 factorizations, and usually
   /// only 10 to 20 of them. With 0, it starts immediately if there are no multipliers for a warm
   /// start
@@ -150,18 +150,18 @@ struct DdpOptions {
   /// cores with a common cache, and slower on others. Results are identical bit for bit
   bool share_knots = true;
   /// Number of segments of the horizon that the Riccati recursion processes in parallel, 1 to 1024
-  /// @more For long horizons and several cores; docs/performance.md, "Threads", says when segments
-  /// are faster. Segments take up to three times the operations of a single sweep. The best number
-  /// is usually threads + 1. With 1 or 2 segments, or with bounds on controls, a single sweep runs
-  /// from the end to the start. There must be fewer segments than knots. Gains and values equal the
-  /// results of a single sweep up to rounding. For a given number of segments, results are
-  /// identical bit for bit for any number of threads
+  /// @more Useful for long horizons and several cores; docs/performance.md, "Threads", says when
+  /// segments are faster. Segments take up to three times the operations of a single sweep. The
+  /// best number is usually threads + 1. With 1 or 2 segments, or with bounds on controls, a single
+  /// sweep runs from the end to the start. The number of segments must be less than the number of
+  /// knots. Gains and values equal the results of a single sweep up to rounding. For a given number
+  /// of segments, results are identical bit for bit for any number of threads
   int segments = 1;
   /// Convergence tolerance of the expected improvement, in units of cost, >= 0
-  /// @more Converged if feasible and expected improvement < stop_tolerance
+  /// @more The condition is expected improvement < stop_tolerance, with a feasible trajectory
   double stop_tolerance = 1e-9;
   /// Largest gap between the knots of a feasible trajectory, >= 0
-  /// @more Feasible if |entry| <= gap_tolerance for all entries of all gaps
+  /// @more The condition is |entry| <= gap_tolerance for all entries of all gaps
   double gap_tolerance = 1e-9;
   LineSearch line_search = {};
   LimitOptions limits = {};

@@ -36,7 +36,8 @@ struct StateShape {
   std::vector<NonEuclideanBlock> blocks;  ///< Non-Euclidean tangent blocks within dq
 };
 
-/// Structure of the linearized dynamics: how the next state depends on z = (du, dx).
+/// Structure of the linearized dynamics: how the change dx' of the next state depends on
+/// z = (du, dx).
 enum class DynamicsForm {
   Dense,  ///< dx' = F z with F of size ndx x nz
 
@@ -60,14 +61,14 @@ struct RowCurvature {
 /// z is nz = nu + ndx.
 struct KnotExpansion {
   int stride = 0;
-  double* gradient = nullptr;  ///< Gradient of the cost by z, nz entries
+  double* gradient = nullptr;  ///< Gradient of the cost with respect to z, nz entries
 
   /// Gauss-Newton Hessian of the cost, nz x nz; only the lower triangle is read
   double* hessian = nullptr;
   double* dynamics = nullptr;  ///< Matrix P (nv x nz) or F (ndx x nz), see DynamicsForm
 
-  /// Matrices A and B of each non-Euclidean tangent block, size x size each (SecondOrder only). The
-  /// B of a block follows its A, and does not contain the factor step.
+  /// Matrices A and B of each non-Euclidean tangent block, size x size each (SecondOrder only). In
+  /// each block, B follows A. B does not contain the factor `step`.
   double* tangent_blocks = nullptr;
   double* decay = nullptr;  ///< Decay factor of each filtered torque over a step (SecondOrder only)
 
@@ -145,7 +146,7 @@ class ShootingProblem {
   /// Returns an index for each constraint row of a knot. Index i >= 0 means that the row equals
   /// entry i of z plus a constant. Its derivative is then 1 at entry i and 0 elsewhere. Index -1
   /// stands for any other row. Null means -1 for every row. Two rows of a knot must not have the
-  /// same index i >= 0. Controls with bounds must not be entries of rows.
+  /// same index i >= 0. If the control i has bounds, no row may have the index i.
   virtual const int* row_entry(int /*knot*/) const { return nullptr; }
   /// Returns the characteristic size of each constraint row, > 0, in the row's unit. Tolerances are
   /// relative to this size.
@@ -178,13 +179,13 @@ class ShootingProblem {
 
   /// Evaluates the knots of a range. For each knot k, writes the next state to next + k * nx, the
   /// cost to values[k], and the constraint rows to rows + k * max_rows(). Writes no constraint rows
-  /// if `rows` is null. The number k counts from the start of the horizon.
+  /// if `rows` is null. The number k counts from the start of the horizon, not of the range.
   virtual void evaluate(int worker, KnotRange range, TrajectoryView at, double* next,
                         KnotValue* values, double* rows = nullptr) = 0;
 
   /// Evaluates and linearizes the knots of a range. For each knot k, writes the next state to
   /// next + k * nx, the cost to values[k], and derivatives and constraint rows to out[k]. The
-  /// number k counts from the start of the horizon.
+  /// number k counts from the start of the horizon, not of the range.
   virtual void expand(int worker, KnotRange range, TrajectoryView at, double* next,
                       KnotValue* values, KnotExpansion* out) = 0;
 

@@ -21,8 +21,8 @@ struct ForceProfile {
   };
   Kind kind = Kind::Constant;  ///< Shape of the force over time: constant, steps, lines or sine
   /// Points of steps and lines: [[time on the path in s, force in N], ...]
-  /// @more Kind steps uses the task's force until the first point. Kind lines starts with a line
-  /// from the task's force at time 0 to the first point.
+  /// @more The kind `steps` uses the task's force until the first point. The kind `lines` starts
+  /// with a straight line from the task's force at time 0 to the first point.
   std::vector<Eigen::Vector2d> points = {};
   double amplitude = 5.0;  ///< Amplitude of the sine about the force of the task [N], >= 0
   double frequency = 1.0;  ///< Frequency of the sine [Hz], > 0

@@ -52,8 +52,8 @@ struct Waving {
   double rotation = 1e3;
 };
 
-/// Second hand that rests on a plane fixed in the world, while a robot that stands polishes. The
-/// plane touches the hand at the start. The hand stays in contact in all phases.
+/// Second hand of a standing robot. During polishing, the hand rests on a plane that is fixed in
+/// the world. The plane touches the hand at the start. The hand stays in contact in all phases.
 /// @described polishing
 /// Plans keep the hand in place and bring its normal force to `force`. The force is measured by a
 /// sensor in the hand, as for the feet. The path of the tool, its force and the balance have costs
@@ -81,8 +81,8 @@ struct RestingHand {
   bool is_stated() const { return !frame.empty(); }
 };
 
-/// Cost weights. Costs are integrated over the horizon in seconds. Doubling the weight of a term
-/// halves the part of its error that is caused by the other terms.
+/// Cost weights. Each cost is integrated over the horizon, with time in s. Doubling the weight of a
+/// term halves the part of its error that is caused by the other terms.
 /// @described polishing
 struct Weights {
   /// Weight on joint angles relative to the starting posture [1/rad^2], >= 0
@@ -118,8 +118,8 @@ struct Weights {
 struct Verdict {
   /// Smallest allowed time in contact, as a fraction of the whole time, 0 to 1
   double contact_share = 0.99;
-  /// Largest allowed rms force error, as a fraction of the task's force (or never), > 0 or infinite
-  /// @more The force is averaged over 10 ms. The value never (infinite) allows any error.
+  /// Allowed rms force error, as a fraction of the task's force (never: no limit), > 0 or infinite
+  /// @more The force is averaged over 10 ms. The word `never` stands for infinite.
   double force_rmse = 0.1;
   /// Smallest allowed fraction of the path's length on which the tip is over its target, 0 to 1
   /// @more The tip is over its target if its distance to the target along the surface is at most
@@ -128,17 +128,17 @@ struct Verdict {
   double path_share = 0.99;
 };
 
-/// Task of polishing a surface along a path. The members are all keys of a task file, with their
+/// Task of polishing a surface along a path. The members are the keys of a task file, with their
 /// defaults.
 /// @described polishing
 struct Task {
   /// Name, folder or settings file of the robot, optionally with :variant
   std::string robot = "talos:right_arm";
-  /// Starting posture: a name from the robot's settings, or search (find one for the surface)
+  /// Starting posture: a name from the robot's settings, or `search` (find one for the surface)
   /// @more The starting posture is also the posture target in the null space. The search is made by
-  /// find_posture(). If the name is empty, the robot's default posture is used, or a search if the
-  /// robot has no default posture. A posture is also searched if the robot lacks the posture that
-  /// belongs to a named surface.
+  /// find_posture(). If the name is empty, the robot's default posture is used; if there is none, a
+  /// posture is searched. A posture is also searched if the robot lacks the posture that belongs to
+  /// a named surface.
   std::string posture = {};
   /// Add a rotor inertia (armature) of 2 ms * effort / velocity to joints whose rotor is missing
   /// @more Effort and velocity are the limits of the joint. The armature is added in plans and
@@ -158,8 +158,8 @@ struct Task {
   /// Frame of the tool; its origin is the centre of the round tip @key frame
   std::string tool = "tool";
   // @section surface The controller knows where the surface is, but not its friction and
-  // stiffness.\nOne word can replace all keys and set posture, normal and point:\ntable, board,
-  // board_x, board_y, board_minus_y, tilt_45.
+  // stiffness.\nThe name of a surface can replace all keys, and sets posture, normal and point. The
+  // names are\ntable, board, board_x, board_y, board_minus_y and tilt_45.
 
   /// Pressing direction [x, y, z] in the tool's frame (automatic: away from the arm), not zero
   /// @more If robot.yaml defines the tool's frame, the automatic direction is the frame's z or -z
@@ -183,18 +183,19 @@ struct Task {
   /// not have unit length.
   /// @key normal
   Eigen::Vector3d normal_base = Eigen::Vector3d::UnitZ();
-  /// Position [x, y, z] of any point on the surface [m]; or under_tool: `clearance` below the tool
-  /// @more The position is in the frame `surface_frame`. Without a value (under_tool), the point is
-  /// below the tool's position at the start.
+  /// Position [x, y, z] of any point on the surface (under_tool: `clearance` below the tool) [m]
+  /// @more The position is in the frame `surface_frame`. With `under_tool`, the point is below the
+  /// tool's position at the start.
   /// @key point @word under_tool
   std::optional<Eigen::Vector3d> point_base = {};
   /// Shape of the surface: a plane, or a curved shape about `point`.\nThe path is projected onto
   /// the surface along the normal at `point`.
   /// @after damping
   SurfaceShape shape = {};
-  /// Width of the surface beyond the path on all four sides (or endless) [m], >= 0 or infinite
-  /// @more The surface is a square about the path's origin. The value endless is infinite: the
-  /// surface is then a whole plane.
+  /// Width of the surface beyond the path on all four sides (endless: no edges) [m], >= 0 or
+  /// infinite
+  /// @more The surface is a square about the path's origin. The word `endless` stands for infinite;
+  /// the surface is then a whole plane.
   /// @word endless
   double extent = 0.1;
   /// Coulomb friction coefficient, unless disturbances.surface_friction states another one, >= 0
@@ -210,8 +211,8 @@ struct Task {
   /// Target force as a function of the time on the path. Before the path, the force rises to
   /// `force`.
   ForceProfile force_profile = {};
-  /// Second hand that rests on a fixed plane in all phases, if the robot stands.\nThe plane touches
-  /// the hand in the starting posture.
+  /// Second hand of a standing robot, which rests on a fixed plane in all phases.\nThe plane
+  /// touches the hand in the starting posture.
   /// @after standing
   RestingHand rest = {};
   // @section phases Reach above the surface, approach until contact, ramp the force, polish,
@@ -237,15 +238,15 @@ struct Task {
   // loop around it.
   double horizon = 1.0;  ///< Duration that a plan covers [s], > 0
   double step = 0.01;    ///< Time between the first two knots of the plan [s], > 0
-  /// Number of knots in the plan (0: one every `step`), >= 0
+  /// Number of knots in the plan (0: one knot per `step`), >= 0
   /// @more The steps between knots grow to cover the horizon. With 0, all steps are equal.
   int knots = 0;
   double update_rate = 1000.0;  ///< Rate of new plans, tick_rate divided by an integer [Hz], > 0
   double tick_rate = 2000.0;    ///< Rate of torque commands [Hz], > 0
   /// When a new plan is used: fixed (after solver_delay), measured (after its computing time) or
   /// thread
-  /// @more With measured, a simulation also delays the plan by its computing time. With thread, a
-  /// separate thread computes plans, and a plan is used as soon as it is ready.
+  /// @more With `measured`, a simulation also delays the plan by its computing time. With `thread`,
+  /// a separate thread computes plans, and a plan is used as soon as it is ready.
   PlanTiming timing = PlanTiming::Fixed;
   /// Time from a measurement to the use of the plan computed from the measurement [s], >= 0
   double solver_delay = 0.0;
@@ -277,7 +278,7 @@ struct Task {
   /// the arm.
   ModelErrorOptions model_error = {.quiescent_scale = 0.25, .sliding_bandwidth = 360.0};
   /// Estimation of the surface from the motion of the tip. Plans use the estimate only if `axes` is
-  /// surface.
+  /// `surface`.
   SurfaceEstimateOptions surface_estimate = {};
   /// Friction coefficient between tool and surface that plans assume, and its estimation.
   FrictionEstimateOptions friction_estimate = {.enabled = false};
@@ -285,8 +286,9 @@ struct Task {
   ToolLimits tool_limits = {};  ///< @key limits
   /// Normal force above which the tool counts as in contact [N], > 0 or infinite
   /// @more The noise of the force is measured in free air. If six standard deviations of the noise
-  /// exceed the threshold, the force is averaged over 5 ms. Contact then requires that the average
-  /// exceeds both the threshold and six standard deviations of the average.
+  /// exceed the threshold, the force is averaged over 5 ms. For contact, the average must then
+  /// exceed the threshold, and also six standard deviations of the noise that is left after
+  /// averaging.
   double contact_threshold = 2.0;
   // @section limits Exceeding a limit ends the run and is reported as a fault.\nThe fallback
   // controller then brakes and holds the robot. `never` switches a limit off.
@@ -297,7 +299,7 @@ struct Task {
   bool force_sensor = true;
   /// Controller after a fault: gravity compensation, a damper, and a spring of limited torque.
   Fallback fallback = {};
-  /// Cost weights; costs are integrated over the horizon in seconds. Only ratios of weights
+  /// Cost weights; each cost is integrated over the horizon, with time in s. Only ratios of weights
   /// matter.\nA larger weight reduces the error of its own term and increases the errors of the
   /// other terms.
   /// @after axes
@@ -313,9 +315,9 @@ struct Task {
   /// Gains of the controller `admittance`: force loop, inverse kinematics and joint position loop.
   AdmittanceGains admittance = {};
 
-  /// Disturbances that the controller does not know.\nIn a task file, one word can replace all
-  /// keys: none, sensors, mismatch or joint_friction.\nWith the key `preset` and one of these
-  /// words, only keys that differ from the preset are needed.
+  /// Disturbances that the controller does not know.\nIn a task file, one of the words none,
+  /// sensors, mismatch and joint_friction can replace all keys.\nWith the key `preset` and one of
+  /// these words, only keys that differ from the preset are needed.
   Disturbances disturbances = {};
 };
 

@@ -18,15 +18,14 @@
 
 namespace burnish::press_hold {
 
-/// Task of pressing at a point while the rest of the arm moves aside. The members are all keys of a
+/// Task of pressing at a point while the rest of the arm moves aside. The members are the keys of a
 /// task file, with their defaults.
 /// @described press_hold
 struct Task {
   /// Name, folder or settings file of the robot, optionally with :variant
   std::string robot = "arm7";
-  /// Starting posture: a name from the robot's settings, or search (find one for the surface)
-  /// @more If empty, the robot's default posture is used, or a search if the robot has no default
-  /// posture.
+  /// Starting posture: a name from the robot's settings, or `search` (find one for the surface)
+  /// @more If empty, the robot's default posture is used; if there is none, a posture is searched.
   std::string posture = {};
   double force = 20.0;  ///< Normal force that the tool presses with [N], > 0
   /// Offsets from the starting posture that move the arm aside [{rad (m)}]: {joint: offset, ...}
@@ -51,8 +50,9 @@ struct Task {
   /// @more The normal points out of the material. It need not have unit length.
   /// @key normal
   Eigen::Vector3d normal_world = Eigen::Vector3d::UnitZ();
-  /// Distance from the pressed point to the surface's four edges (or endless) [m], > 0 or infinite
-  /// @more The value endless is infinite: the surface is then a whole plane.
+  /// Distance from the pressed point to the surface's four edges (endless: no edges) [m], > 0 or
+  /// infinite
+  /// @more The word `endless` stands for infinite; the surface is then a whole plane.
   /// @word endless
   double extent = 0.1;
   /// Coulomb friction coefficient, unless disturbances.surface_friction states another one, >= 0
@@ -80,7 +80,7 @@ struct Task {
   double command_delay = 0.0;
   /// Assumed delay from a measurement to the tick that receives it [s], 0 to 0.1
   double measurement_delay = 0.0;
-  /// Weight on errors of joint angles relative to the motion aside [1/rad^2], > 0
+  /// Weight on deviations of joint angles from the motion aside [1/rad^2], > 0
   /// @more For comparison, the weight on the tool's position is 1e4 1/m^2.
   double posture_weight = 1.0;
 
@@ -96,15 +96,16 @@ struct Task {
   ToolLimits tool_limits = {};  ///< @key limits
   /// Normal force above which the tool counts as in contact [N], > 0 or infinite
   /// @more The noise of the force is measured in free air. If six standard deviations of the noise
-  /// exceed the threshold, the force is averaged over 5 ms. Contact then requires that the average
-  /// exceeds both the threshold and six standard deviations of the average.
+  /// exceed the threshold, the force is averaged over 5 ms. For contact, the average must then
+  /// exceed the threshold, and also six standard deviations of the noise that is left after
+  /// averaging.
   double contact_threshold = 2.0;
 
   // @section -
 
-  /// Disturbances that the controller does not know.\nIn a task file, one word can replace all
-  /// keys: none, sensors, mismatch or joint_friction.\nWith the key `preset` and one of these
-  /// words, only keys that differ from the preset are needed.
+  /// Disturbances that the controller does not know.\nIn a task file, one of the words none,
+  /// sensors, mismatch and joint_friction can replace all keys.\nWith the key `preset` and one of
+  /// these words, only keys that differ from the preset are needed.
   Disturbances disturbances = {};
 };
 
@@ -139,8 +140,8 @@ struct Setting {
   /// Configuration at the start, nq entries; also the first reference of the joint angles
   /// @required
   Eigen::VectorXd q_start;
-  /// Configuration with the arm moved aside, nq entries, where the reference of the joint angles
-  /// ends
+  /// Configuration with the arm moved aside, nq entries; also the last reference of the joint
+  /// angles
   /// @required
   Eigen::VectorXd q_aside;
   SceneSpec scene;  ///< Tip and surface as the controller assumes them @required
@@ -196,7 +197,7 @@ struct RunSpec {
 
 /// Statistics of the move aside and of the hold after the move, from the end of the force ramp on.
 struct HoldFigures {
-  /// Largest joint displacement from the end of the ramp to the end of the hold [rad (m)].
+  /// Largest displacement of a joint between the end of the ramp and the end of the hold [rad (m)].
   double moved_aside = 0.0;
   /// Largest distance that the tool slid away from the pressed point [m].
   double slip = 0.0;

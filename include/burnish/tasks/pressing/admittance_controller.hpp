@@ -47,15 +47,17 @@ struct AdmittanceGains {
 /// error into a motion of the tool along the surface's normal n. Inverse kinematics turn this
 /// motion into joint positions q_c, which the inner loop tracks.
 ///
-/// Outer loop: l (mass dv_n/dt + damping v_n) = (f - f_path) + ki * integral of (f - f_path). f is
-/// the low-pass filtered force along n, v_n the commanded speed along n, and l the tool's inertia
-/// along n. The tool's velocity is v_n n along n, and v_path + path_gain (p_path - p) along the
-/// surface. f_path, p_path and v_path are the targets of force, position and velocity, and p is the
-/// tip's position at q_c. Damped least squares compute dq_c/dt from the tool's velocity.
+/// Outer loop: the commanded speed v_n along n solves
+/// l (mass dv_n/dt + damping v_n) = (f - f_path) + ki * integral of (f - f_path), where f is the
+/// low-pass filtered force along n, and l the tool's inertia along n. The tool's velocity is v_n n
+/// along n, and v_path + path_gain (p_path - p) along the surface. f_path, p_path and v_path are
+/// the targets of force, position and velocity, and p is the tip's position at q_c. Damped least
+/// squares compute dq_c/dt from the tool's velocity.
 ///
-/// Inner loop, `delay` later: tau = M (joint_kp (q_c - q) + joint_kd (dq_c/dt - v) + joint_ki *
-/// integral of (q_c - q)) + b. M is the mass matrix and b the bias torques. Both integrals are
-/// bounded, restart at contact, and pause while a torque is at its limit.
+/// The inner loop computes, `delay` later, the torques tau = M (joint_kp (q_c - q) + joint_kd
+/// (dq_c/dt - v) + joint_ki * integral of (q_c - q)) + b. M is the mass matrix and b the bias
+/// torques. Both integrals are bounded, restart at contact, and pause while a torque is at its
+/// limit.
 /// @described sim
 /// make_admittance_controller() states the whole control law.
 struct AdmittanceSpec {

@@ -36,10 +36,10 @@ struct Feet {
   bool has_soles() const { return half_x > 0.0; }
 };
 
-/// Finds the feet of a robot at its reference configuration. Feet are the two, four or six lowest
-/// ends of branches of the robot's kinematic tree. These ends must form pairs that stand opposite
-/// each other. Two legs have soles if each has at least four joints. Four or six legs have soles if
-/// each has at least five joints. All other legs have point feet.
+/// Finds the feet of a robot at its reference configuration. Feet are the lowest two, four or six
+/// ends of the kinematic tree's branches. These ends must form pairs that stand opposite each
+/// other. Two legs have soles if each has at least four joints. Four or six legs have soles if each
+/// has at least five joints. All other legs have point feet.
 ///
 /// Frames named after a sole, foot, toe or ankle are preferred. If no frame lies at the centre of
 /// the sole or ball, Feet::added contains a new frame there. Collision geometry comes from

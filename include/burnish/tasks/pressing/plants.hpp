@@ -44,7 +44,7 @@ struct TickTimes {
   int late = 0;  ///< Number of timed ticks that took longer than `period`
 };
 
-/// Result of a run in closed loop that all tasks return.
+/// Result that every task returns after a run in closed loop.
 struct TaskRun {
   /// Recorded data with one row per plant step. In runs longer than 100 s, only every nth step has
   /// a row. The comment of ClosedLoop lists the columns.

@@ -31,16 +31,17 @@ enum class Touch {
   Free,    ///< no contact: a large force is a fault, a smaller force is sensor noise
   Due,     ///< the tool approaches until contact; the phase has SchedulePhase.until "contact"
   Wanted,  ///< the tool presses
-  /// the tool leaves the surface; it counts as free without force, or after ToolLimits.release
+  /// the tool leaves the surface; it counts as free when the force is gone, or after
+  /// ToolLimits.release
   Leaving,
 };
 
-/// Limits on force and motion at the tool. A run is aborted if a limit is exceeded. Infinite: no
-/// limit.
+/// Limits on force and motion at the tool. A run is aborted if a limit is exceeded. An infinite
+/// value switches a limit off.
 /// @described pressing
 struct ToolLimits {
   /// Largest mean force at the tool over force_window [N], > 0 or infinite
-  /// @more The force of a rigid impact at a single instant says little, because it is the impulse
+  /// @more A single sample of the force says little about a rigid impact: the sample is the impulse
   /// divided by the sampling time.
   double force = 100.0;
   /// Averaging time of the force [s], >= 0
@@ -51,22 +52,22 @@ struct ToolLimits {
   double contact_lost = 0.15;
   /// Largest travel along the normal after the planned time of contact [m], > 0 or infinite
   /// @more The limit is the largest distance of the surface behind its assumed position. The travel
-  /// counts from the time at which the schedule's clock stopped to wait for contact. The clock
-  /// stops at SchedulePhase.hold before the planned contact.
+  /// counts from the time when the schedule's clock stops and waits for contact. The clock stops
+  /// SchedulePhase.hold seconds before the planned contact.
   double late_contact_travel = 0.03;
   /// Longest wait for contact after the planned time of contact [s], > 0 or infinite
-  /// @more The wait begins when the schedule's clock stops to wait for contact.
+  /// @more The wait begins when the schedule's clock stops and waits for contact.
   double late_contact_time = 3.0;
   /// Largest mean force in free space over force_window [N], > 0 or infinite
   /// @more The limit applies to phases without contact. It also applies to a retreat after the
   /// force fell below the contact threshold, or after the time `release`. If six standard
-  /// deviations of the noise of the mean exceed this limit, they replace the limit.
+  /// deviations of the mean's noise are above this limit, they are the limit instead.
   double unexpected_force = 15.0;
   /// Longest time until a retreating tool counts as free [s], > 0 or infinite
   double release = 0.5;
 };
 
-/// Hard constraints of plans. Infinite: no constraint.
+/// Hard constraints of plans. An infinite value switches a constraint off.
 /// @described pressing
 struct PlanLimits {
   /// Smallest distance of joints from their position limits [rad (m)], >= 0 or infinite
@@ -102,9 +103,9 @@ struct TaskTarget {
 /// Point and normal are in the frame MpcSpec::base. If MpcSpec::base is empty, they are in world
 /// axes.
 struct PressedSurface {
-  SurfaceShape shape = {};                               ///< Shape of the surface about its point
+  SurfaceShape shape = {};                               ///< Surface shape about `point_base`
   Eigen::Vector3d point_base = Eigen::Vector3d::Zero();  ///< Point on the surface [m]
-  /// Normal of the surface at its point, not zero
+  /// Normal of the surface at `point_base`, not zero
   /// @more The normal need not have unit length.
   Eigen::Vector3d normal_base = Eigen::Vector3d::UnitZ();
   double tip_radius = 0.02;              ///< Radius of the round tip [m], > 0
@@ -112,13 +113,13 @@ struct PressedSurface {
 };
 
 /// Task of an MpcSpec that presses with a tool. The task raises the event "contact" if the measured
-/// normal force exceeds the threshold and the noise of the sensor. The noise is estimated in free
-/// air.
+/// normal force exceeds both the contact threshold and the noise of the sensor. The noise is
+/// estimated in free air.
 /// @described pressing
 /// Assign a PressingTask to MpcSpec::task. If six standard deviations of the noise exceed the
-/// threshold, the force is averaged over 5 ms. Contact then requires that the average exceeds both
-/// the threshold and six standard deviations of the average. Faults of this task are SpeedLimit,
-/// UnexpectedContact, NoContact, ContactLate, ForceLimit and ContactLost.
+/// threshold, the force is averaged over 5 ms. For contact, the average must then exceed the
+/// threshold, and also six standard deviations of the noise that is left after averaging. Faults of
+/// this task are SpeedLimit, UnexpectedContact, NoContact, ContactLate, ForceLimit and ContactLost.
 struct PressingTask {
   std::vector<Touch> touch = {};  ///< Expected contact in each phase of the schedule
   /// Target as a function of the time of the schedule, in s; required
@@ -131,7 +132,7 @@ struct PressingTask {
   std::optional<PressedSurface> surface = {};
   /// Scalar input of the problem that receives the schedule's time of the previous tick (empty:
   /// none)
-  /// @more A signal of inputs can use it to hide the future from plans.
+  /// @more A signal that depends on this input can hide the future from plans.
   std::string time_input = {};
 
   /// Creates the state of this task for a controller of `spec`. Throws Error in three cases:

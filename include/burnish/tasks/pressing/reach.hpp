@@ -39,19 +39,20 @@ struct ReachReport {
   ReachProblem problem = ReachProblem::None;  ///< Kind of the first problem
   /// Problem in one sentence, with place, joint, value and allowed value; empty without a problem
   std::string text;
-  /// Distance along the path from its start to the problem [m]; negative before the path begins
+  /// Distance along the path from its start to the problem [m]; negative if the problem comes
+  /// before the path
   /// @more The path of a task that holds a point has length zero.
   double s = 0.0;
   /// Position of the tool at the problem, in the world [m]
   Eigen::Vector3d p_world = Eigen::Vector3d::Zero();
   /// Joint that causes the problem
-  /// @more The name is empty if the problem is of kind Position, or if the tool's own link would
-  /// touch the surface.
+  /// @more The name is empty for the kind `Position`, and if the tool's own link would touch the
+  /// surface.
   std::string joint;
   /// Value that violates `limit`
-  /// @more The value depends on the kind of the problem. Position: position error of the tool, in
-  /// m. Joint: position of the joint, in rad (m). Torque: torque of the joint, in Nm (N).
-  /// Collision: distance from the surface, in m.
+  /// @more The value depends on the kind of the problem. `Position`: position error of the tool, in
+  /// m. `Joint`: position of the joint, in rad (m). `Torque`: torque of the joint, in Nm (N).
+  /// `Collision`: distance from the surface, in m.
   double value = 0.0;
   double limit = 0.0;  ///< Allowed value, in the unit of `value`
 
@@ -64,10 +65,10 @@ struct ReachReport {
   double torque_share = 0.0;   ///< Largest static torque, as a fraction of the joint's effort limit
   /// Joint with the largest static torque, as a fraction of its effort limit
   std::string tightest_torque;
-  /// Ratio of the standard deviations of estimated force and joint torques [1/m]
+  /// Error of the estimated force per error of the joint torques, as standard deviations [1/m]
   /// @more The force along the normal is estimated from joint torques with independent errors. The
-  /// ratio in N per Nm is the largest one over the points on the surface. The ratio matters for
-  /// tasks without a force sensor.
+  /// value, in N per Nm, is the largest of all points on the surface. It matters for tasks without
+  /// a force sensor.
   double force_per_torque = 0.0;
   std::string force_joint;  ///< Joint that contributes most to force_per_torque
   /// Smallest distance between the surface and the arm, except the tool's link [m]
@@ -83,14 +84,14 @@ struct ReachReport {
 struct PostureLimits {
   double tilt = 1.0;  ///< Largest angle between tool axis and surface normal [rad], >= 0
   /// Smallest distance of joints from their limits at the start [rad], >= 0
-  /// @more In m for prismatic joints.
+  /// @more The unit is m for prismatic joints.
   double joint_margin = 0.15;
   /// Smallest distance of the last link from the robot's body [m], >= 0
   /// @more Parts that are close to each other along the arm may have a smaller distance.
   double body_distance = 0.25;
 };
 
-/// Word that stands for a posture's name in a task. find_posture() then searches for a posture.
+/// Word that a task states in place of a posture's name, so that find_posture() finds a posture.
 inline constexpr const char* searched_posture = "search";
 
 /// Options of find_posture(): start points of the search and conditions on its result.

@@ -16,7 +16,7 @@ namespace burnish {
 /// a foot but not pull it, and has friction.
 /// @described pressing
 struct Standing {
-  /// Frames of the feet; auto: found in the robot's description; none: the base is fixed
+  /// Frames of the feet (auto: found in the robot's description; empty: the base is fixed)
   /// @more With auto, the sizes of the feet also come from the description.
   /// @word auto
   std::vector<std::string> feet = {};
@@ -41,7 +41,7 @@ struct Standing {
   double plan_friction = 0.5;  ///< Friction coefficient of the ground that plans assume, > 0
   /// Largest offset of the centre of pressure in plans, divided by the sole's half sides, 0 to 1
   double plan_sole = 0.95;
-  /// Smallest load of each foot in plans (automatic: 0.09 times the weight per foot) [N], >= 0
+  /// Smallest load of each foot in plans (automatic: 0.09 times the feet's mean load) [N], >= 0
   /// @word auto
   std::optional<double> min_load = std::nullopt;
   /// Weight on the distance of the centre of mass from its target [1/m^2], >= 0
@@ -58,7 +58,7 @@ struct Standing {
   /// Damping of the contact constraint of the feet (Baumgarte) [1/s], >= 0
   double contact_kd = 20.0;
 
-  /// Estimate the base from an inertial unit, joints and feet; false: measure it directly
+  /// Estimate the base's state from an inertial unit, joints and feet; false: measure it directly
   /// @note BaseEstimator estimates the base.
   bool estimate = true;
   std::string imu_frame = {};  ///< Frame of the inertial unit; empty: the body of the base
@@ -67,7 +67,7 @@ struct Standing {
   /// low gains.
   Fallback fallback = {.stiffness = 100.0, .damping = 15.0, .saturation_fraction = 0.5};
   /// Time at the start in which a hoist transfers the weight to the feet [s], >= 0
-  /// @more The time is at most `settle`.
+  /// @more A time longer than `settle` is shortened to `settle`.
   double hoist = 0.5;
   SlipOptions slip = {};  ///< Reaction of plans to a slipping foot
   /// Time for which the posture is held at the start [s], >= 0

@@ -19,7 +19,7 @@
 
 namespace burnish::push_wall {
 
-/// Cost weights. Costs are integrated over the horizon in seconds.
+/// Cost weights. Each cost is integrated over the horizon, with time in s.
 /// @described push_wall
 struct Weights {
   /// Weight on errors of the normal force of each hand [1/N^2], >= 0
@@ -70,7 +70,7 @@ struct Wall {
 struct ForceSearch {
   double rate = 10.0;  ///< Rate of increase of the force of each hand [N/s], > 0
   /// Force of each hand at which the search stops at the latest [N], > 0 or infinite
-  /// @more With the value never (infinite), the search stops at nine tenths of limits.force.
+  /// @more With the value `never` (infinite), the search stops at nine tenths of limits.force.
   double force_max = std::numeric_limits<double>::infinity();
   /// Additional force that the posture must be able to support, as a fraction of the force, >= 0
   /// @more The check is static and uses the constraints of plans.
@@ -79,7 +79,7 @@ struct ForceSearch {
   /// @more The force is the mean of both hands over 0.1 s.
   double force_tolerance = 5.0;
   /// Largest distance that a hand or foot may slide within about a second [m], > 0
-  /// @more Slow creep does not count, for example of feet on compliant ground.
+  /// @more Slow creep, for example of feet on compliant ground, does not count.
   double slip = 5e-3;
   /// Force held after the search, as a fraction of the force where the search ended, 0 to 1
   double hold_fraction = 0.95;
@@ -100,7 +100,7 @@ enum class Limit {
 };
 std::string name_of(Limit limit);
 
-/// Task of pushing with both hands against a wall. The members are all keys of a task file, with
+/// Task of pushing with both hands against a wall. The members are the keys of a task file, with
 /// their defaults.
 /// @described push_wall
 struct Task {
@@ -156,7 +156,7 @@ struct Task {
   /// @more The steps between knots grow to cover the horizon.
   int knots = 30;
   // @section -
-  /// Cost weights; costs are integrated over the horizon in seconds. Only ratios of weights
+  /// Cost weights; each cost is integrated over the horizon, with time in s. Only ratios of weights
   /// matter.\nA larger weight reduces the error of its own term and increases the errors of the
   /// other terms.
   Weights weights = {};
@@ -185,9 +185,9 @@ struct Task {
 
   // @section -
 
-  /// Disturbances that the controller does not know.\nIn a task file, one word can replace all
-  /// keys: none, sensors, mismatch or joint_friction.\nWith the key `preset` and one of these
-  /// words, only keys that differ from the preset are needed.
+  /// Disturbances that the controller does not know.\nIn a task file, one of the words none,
+  /// sensors, mismatch and joint_friction can replace all keys.\nWith the key `preset` and one of
+  /// these words, only keys that differ from the preset are needed.
   Disturbances disturbances = {};
 };
 
@@ -239,8 +239,8 @@ struct Setting {
   /// force changes.
   /// @required
   Eigen::Vector3d com_per_force;
-  /// Distance of the centre of pressure at the start from the middle of the feet, positive towards
-  /// the wall, at least 0 [m]
+  /// Distance at the start from the middle of the feet to the centre of pressure, towards the wall
+  /// [m]; 0 if the centre of pressure is farther from the wall than the middle
   double room = 0.0;
   double touch = 0.0;        ///< Schedule time of the planned contact [s]
   double ramp_end = 0.0;     ///< Schedule time at the end of the force ramp [s]
@@ -328,9 +328,10 @@ struct PushFigures {
 /// Result of run_task().
 struct RunResult : TaskRun {
   Setting setting;
-  bool done = false;                ///< True if the run reached its end without a fault.
-  std::optional<PushFigures> push;  ///< Statistics of the push; none if the hold did not end.
-  Limit limit = Limit::None;        ///< Condition that ended the search for the largest force.
+  bool done = false;  ///< True if the run reached its end without a fault.
+  /// Statistics of the push. None if the run ended less than about 0.3 s after the force ramp.
+  std::optional<PushFigures> push;
+  Limit limit = Limit::None;  ///< Condition that ended the search for the largest force.
   /// For Limit::Hand and Limit::Foot: name of the hand or foot that slipped. For Limit::Statics:
   /// name of the constraint that the posture reached. For Limit::Plan and Limit::Tracking: names of
   /// up to three constraints that were active in the plan.

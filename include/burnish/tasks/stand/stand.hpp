@@ -37,7 +37,7 @@ struct Sway {
   bool fit = true;
 };
 
-/// Cost weights. Costs are integrated over the horizon in seconds.
+/// Cost weights. Each cost is integrated over the horizon, with time in s.
 /// @described stand
 struct Weights {
   /// Weight on joint angles relative to the starting posture [1/rad^2], >= 0
@@ -49,15 +49,14 @@ struct Weights {
   double terminal = 0.1;
 };
 
-/// Task of standing on the feet while the trunk sways. The members are all keys of a task file,
+/// Task of standing on the feet while the trunk sways. The members are the keys of a task file,
 /// with their defaults.
 /// @described stand
 struct Task {
   /// Name, folder or settings file of the robot, optionally with :variant
   std::string robot = "quadruped";
-  /// Starting posture: a name from the robot's settings, or search (find one with bent legs)
-  /// @more If empty, the robot's default posture is used, or a search if the robot has no default
-  /// posture.
+  /// Starting posture: a name from the robot's settings, or `search` (find one with bent legs)
+  /// @more If empty, the robot's default posture is used; if there is none, a posture is searched.
   std::string posture = {};
   /// Drop of the base in a searched posture, as a fraction of the base's height, 0 to below 1
   /// @more The base's height is measured from the feet, with straight legs.
@@ -75,7 +74,7 @@ struct Task {
   /// level: x points forwards (as the base does at the start), y to the left, z up.
   Sway sway = {};
 
-  // @section phases Stand, sway, then stand at the start again.
+  // @section phases Stand, sway, then stand in the starting posture again.
   double settle_duration = 0.5;  ///< Time to stand before the sway [s], > 0
   double sway_duration = 8.0;    ///< Duration of the sway [s], > 0
   double rest_duration = 1.0;    ///< Time to stand after the sway [s], > 0
@@ -97,7 +96,7 @@ struct Task {
   /// @more The steps between knots grow to cover the horizon.
   int knots = 20;
   // @section -
-  /// Cost weights; costs are integrated over the horizon in seconds. Only ratios of weights
+  /// Cost weights; each cost is integrated over the horizon, with time in s. Only ratios of weights
   /// matter.\nA larger weight reduces the error of its own term and increases the errors of the
   /// other terms.
   Weights weights = {};
@@ -121,9 +120,9 @@ struct Task {
 
   // @section -
 
-  /// Disturbances that the controller does not know.\nIn a task file, one word can replace all
-  /// keys: none, sensors, mismatch or joint_friction.\nWith the key `preset` and one of these
-  /// words, only keys that differ from the preset are needed.
+  /// Disturbances that the controller does not know.\nIn a task file, one of the words none,
+  /// sensors, mismatch and joint_friction can replace all keys.\nWith the key `preset` and one of
+  /// these words, only keys that differ from the preset are needed.
   Disturbances disturbances = {};
 };
 
@@ -155,8 +154,8 @@ std::vector<std::string> task_notes(const Task& task, bool ideal_is_meant = fals
 struct Setting {
   Robot robot;  ///< Robot of the task @required
   /// Feet and ground that the robot stands on
-  /// @more If the task states auto, or only frames that the robot lacks, detected feet replace the
-  /// feet of the task.
+  /// @more If the task states `auto`, or only frames that the robot lacks, detected feet replace
+  /// the feet of the task.
   /// @required
   /// @note `robot` contains the frames added for detected feet.
   Standing standing = {};
