@@ -64,8 +64,6 @@ void Sensing::mount_imu(const Model& model, const std::string& frame) {
 void Sensing::reset() noexcept {
   *random_ = Random(disturbances_.seed);
   measurement_.support_wrenches.setZero();
-  // Zero exactly: the filter would leave a rounding error of the old value.
-  tool_force_world_.setZero();
   if (imu_) imu_->reset();
   started_ = false;
 }
@@ -135,16 +133,16 @@ void Sensing::measure_velocity(const Plant& plant) noexcept {
 }
 
 void Sensing::measure_force(const Plant& plant) noexcept {
-  if (!plant.scene().tip.exists()) return;
-  Eigen::Vector3d reading = plant.contact_force_world();
+  const std::string& tool = plant.scene().tip.frame;
+  if (tool.empty() || !is_usable(body_->update(plant.q(), plant.v()))) return;
+  const Eigen::Matrix3d R_tool = body_->placement(body_->frame(tool)).linear();
+  Eigen::Vector3d reading = R_tool.transpose() * plant.contact_force_world();
   if (disturbances_.force_noise > 0.0)
     for (double& entry : reading) entry += disturbances_.force_noise * random_->force.normal();
   const double gain = started_ ? low_pass(disturbances_.force_cutoff, elapsed_) : 1.0;
-  tool_force_world_ += gain * (reading - tool_force_world_);
-  if (!is_usable(body_->update(plant.q(), plant.v()))) return;
-  const int tool = body_->frame(plant.scene().tip.frame);
-  measurement_.tool_wrench.head<3>() =
-      body_->placement(tool).linear().transpose() * tool_force_world_;
+  auto force = measurement_.tool_wrench.head<3>();
+  if (!started_) force.setZero();  // NaN, or a value before reset()
+  force += gain * (reading - force);
 }
 
 void Sensing::measure_supports(const Plant& plant) noexcept {

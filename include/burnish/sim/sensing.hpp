@@ -58,8 +58,7 @@ class Sensing {
   Eigen::VectorXd differences_;  ///< Filtered finite-difference velocities, nv entries
   Eigen::VectorXd work_;         ///< Scratch vector, nv entries
   std::optional<ImuSensor> imu_;
-  std::unique_ptr<RigidBody> body_;                             ///< Kinematics at the true state.
-  Eigen::Vector3d tool_force_world_ = Eigen::Vector3d::Zero();  ///< Filtered reading [N]
+  std::unique_ptr<RigidBody> body_;  ///< Kinematics at the true state.
   Measurement measurement_;
   std::vector<Measurement> late_;  ///< Ring buffer of delayed measurements; empty without a delay
   std::size_t next_ = 0;           ///< Index of the oldest measurement in late_
