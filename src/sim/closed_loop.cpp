@@ -189,6 +189,8 @@ struct ClosedLoop::Impl {
     bool is_of_step = false;  ///< True for values of a whole step, false for values at its start.
   };
   static std::vector<Signal> signals_of(const Model& model, const SceneSpec& scene);
+  template <class Add>
+  static void add_plan_signals(const Add& add);
   static std::vector<TraceColumn> columns_of(const std::vector<Signal>& signals);
   void record(Row& row, bool of_step) const noexcept;
   Eigen::Vector3d normal_world() const noexcept;
@@ -384,6 +386,21 @@ const Eigen::VectorXd& ClosedLoop::Impl::with_pushes(const Eigen::VectorXd& tau)
   return any ? total : tau;
 }
 
+/// Adds the signals of plans and of their limits. `add(columns, get)` adds a signal.
+template <class Add>
+void ClosedLoop::Impl::add_plan_signals(const Add& add) {
+  using L = const Impl&;
+  add({{"solve_time", "s"}}, [](L l) { return l.command.solve_time; });
+  add({{"iterations", "-"}}, [](L l) { return l.command.iterations; });
+  add({{"missed_deadline", "-"}}, [](L l) { return l.command.missed_deadline; });
+  add({{"tick", "-"}}, [](L l) { return l.ticked; });
+  add({{"constraint_violation", "-"}}, [](L l) { return l.command.constraint_violation; });
+  add({{"constraint_residual", "-"}}, [](L l) { return l.command.constraint_residual; });
+  add({{"active_constraints", "-"}}, [](L l) { return l.command.active_constraints; });
+  add({{"constraints_infeasible", "-"}}, [](L l) { return l.command.constraints_infeasible; });
+  add({{"clipped_torques", "-"}}, [](L l) { return l.command.clipped_torques; });
+}
+
 /// Returns the signals of the trace, in the order of its columns: first all values at the start of
 /// a step, then all values of the whole step.
 std::vector<ClosedLoop::Impl::Signal> ClosedLoop::Impl::signals_of(const Model& model,
@@ -394,8 +411,8 @@ std::vector<ClosedLoop::Impl::Signal> ClosedLoop::Impl::signals_of(const Model& 
     const auto put = [get](const Impl& loop, Row& row) { row.put(get(loop)); };
     signals.push_back({std::move(columns), put, is_of_step});
   };
-  const auto of_tool = [&](std::vector<TraceColumn> columns, const auto& get) {
-    if (scene.tip.exists()) add(std::move(columns), get);
+  const auto of_tool = [&](const std::vector<TraceColumn>& columns, const auto& get) {
+    if (scene.tip.exists()) add(columns, get);
   };
   const auto speeds = [&](const char* of) { return entries_of_v(model, of, "rad/s", "m/s"); };
   const auto torques = [&](const char* of) { return entries_of_v(model, of, "Nm", "N"); };
@@ -435,15 +452,7 @@ std::vector<ClosedLoop::Impl::Signal> ClosedLoop::Impl::signals_of(const Model& 
   add({{"plant_status", "-"}}, [](L l) { return l.step_status; });
   add({{"limited_joints", "-"}}, [](L l) { return l.actuation.step().limited; });
   add({{"held_command", "-"}}, [](L l) { return l.actuation.step().held; });
-  add({{"solve_time", "s"}}, [](L l) { return l.command.solve_time; });
-  add({{"iterations", "-"}}, [](L l) { return l.command.iterations; });
-  add({{"missed_deadline", "-"}}, [](L l) { return l.command.missed_deadline; });
-  add({{"tick", "-"}}, [](L l) { return l.ticked; });
-  add({{"constraint_violation", "-"}}, [](L l) { return l.command.constraint_violation; });
-  add({{"constraint_residual", "-"}}, [](L l) { return l.command.constraint_residual; });
-  add({{"active_constraints", "-"}}, [](L l) { return l.command.active_constraints; });
-  add({{"constraints_infeasible", "-"}}, [](L l) { return l.command.constraints_infeasible; });
-  add({{"clipped_torques", "-"}}, [](L l) { return l.command.clipped_torques; });
+  add_plan_signals(add);
   if (!scene.surface.frame.empty()) {
     add(axes("surface", "m"), [](L l) { return Eigen::Vector3d(l.surface_world.translation()); });
     add(rotation("surface", "world"), [](L l) { return vector_of(l.surface_world.linear()); });
