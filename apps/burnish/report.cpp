@@ -54,7 +54,16 @@ void rename_entries(Json& list, std::string_view (*current)(std::string_view)) {
     }
 }
 
-/// Replaces names of columns, figures and phases from version 0.3 by the current names.
+/// Returns whether a run is of a task whose robot has no tool. Version 0.3 stated a frame as the
+/// tool of such robots.
+bool is_without_tool(const Json& run) {
+  const Json facts = run.value("facts", Json::array());
+  return std::any_of(facts.begin(), facts.end(), [](const Json& fact) {
+    return fact == Json{"task", "stand"} || fact == Json{"task", "push_wall"};
+  });
+}
+
+/// Replaces names and entries of a run from version 0.3 by the current ones.
 Json with_current_names(Json runs) {
   for (Json& run : runs) {
     for (const char* table : {"series", "envelopes"})
@@ -62,6 +71,10 @@ Json with_current_names(Json runs) {
         rename_entries(run[table]["columns"], current_column);
     if (run.contains("metrics")) rename_entries(run["metrics"], current_column);
     if (run.contains("phases")) rename_entries(run["phases"], current_phase);
+    if (!run.contains("polished")) continue;
+    run["succeeded"] = run["polished"];
+    run.erase("polished");
+    if (is_without_tool(run)) run["tool"] = {{"frame", ""}, {"tip_radius", 0.0}};
   }
   return runs;
 }

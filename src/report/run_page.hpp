@@ -124,7 +124,8 @@ struct RunPage {
   std::vector<std::pair<std::string, std::string>> facts = {};  ///< Names and values to show
   std::string command = {};                                     ///< Command that repeats the run
   std::string outcome = {};
-  bool succeeded = false;  ///< For a planned motion: whether the solver converged
+  /// Whether the run met all requirements of its task; for a planned motion: the solver converged
+  bool succeeded = false;
   std::optional<PageFault> fault = {};
   std::vector<PageMetric> metrics = {};
   std::optional<std::pair<double, double>> window = {};  ///< Time window of the metrics [s]

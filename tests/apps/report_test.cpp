@@ -206,7 +206,8 @@ TEST(ReportCommand, RunOfVersion03_HasTodaysNames) {
       R"({"format": "burnish-page/1", "runs": [{"name": "lean", "series": {"columns":)"
       R"( [{"name": "believed_normal_x"}, {"name": "tau_elbow"}]}, "envelopes": {"columns":)"
       R"( [{"name": "limits_pushing"}]}, "metrics": [{"name": "solver.limits_outside"},)"
-      R"( {"name": "lean"}], "phases": [{"name": "lean"}], "outcome": "lean"}]})");
+      R"( {"name": "lean"}], "phases": [{"name": "lean"}], "outcome": "lean", "polished": true,)"
+      R"( "facts": [["robot", "talos"], ["task", "push_wall"]], "tool": {"frame": "tool"}}]})");
   const auto file = scratch.folder / "page.html";
   const Outcome outcome = run("report " + quoted(old_run) + " --out " + quoted(file));
   ASSERT_EQ(outcome.exit_code, 0) << outcome.err;
@@ -220,6 +221,9 @@ TEST(ReportCommand, RunOfVersion03_HasTodaysNames) {
   EXPECT_EQ(run_data["phases"][0]["name"], "force_search");
   EXPECT_EQ(run_data["name"], "lean") << "the name of a run stays";
   EXPECT_EQ(run_data["outcome"], "lean");
+  EXPECT_EQ(run_data["succeeded"], true);
+  EXPECT_FALSE(run_data.contains("polished"));
+  EXPECT_EQ(run_data["tool"]["frame"], "") << "both hands press; neither is a tool";
 }
 
 TEST(ShowHtml, RobotWithAMissingMesh_IsDrawnAndTheMeshNamed) {
