@@ -19,7 +19,7 @@ struct ErrorEstimateSpec {
   Eigen::Vector3d normal_world;
   double contact_threshold;           ///< Normal force above which the tool is in contact [N].
   bool force_sensor;                  ///< Whether the force at the tool is measured.
-  std::vector<ContactSpec> supports;  ///< Contacts that always hold the robot, without loops.
+  std::vector<ContactSpec> supports;  ///< Contacts of supports that hold in every stage.
   std::vector<ContactSpec> held;      ///< `supports`, followed by the loops of the robot.
   std::vector<std::string> measured;  ///< Frames of the columns of Measurement::support_wrenches.
   StageContacts contacts;
@@ -72,8 +72,8 @@ class ErrorEstimate {
   /// Returns the coefficient of friction of the tool's contacts; 0 without a friction model.
   double friction() const { return friction_ ? friction_->coefficient() : 0.0; }
 
-  /// Sets the velocity of a new plan at the time joint_friction().lead() after the plan's first
-  /// knot; nv [rad/s or m/s]. The estimates of friction change sign with this velocity.
+  /// Sets the planned velocity v (nv) [rad/s or m/s], with which the estimates of friction change
+  /// sign. It is the velocity in a new plan, joint_friction().lead() after the plan's first knot.
   void foresee(const Eigen::VectorXd& v) noexcept {
     joint_friction_.foresee(v.data());
     v_ahead_ = v;

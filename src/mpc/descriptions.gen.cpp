@@ -381,8 +381,8 @@ const Description& description_of(const SchedulePhase* /*of*/) {
                 "phase and waits. Plans made while the clock waits contain the rest of this phase"
                 " and then the next phase. The last phase ignores its event")
           .field("hold", &S::hold,
-                 "Point where the schedule's clock waits for a late event: time before the end of"
-                 " the phase [{s}]")
+                 "Time before the end of the phase at which the schedule's clock waits for a late"
+                 " event [{s}]")
           .more("If `hold` is longer than the phase, the clock waits at the start of the phase");
   return all;
 }

@@ -130,8 +130,8 @@ void MeasurementGate::describe_defect(const Measurement& m) noexcept {
     return;
   if (sensor_ >= 0 && !m.tool_wrench.head<3>().allFinite()) {
     std::snprintf(bad_, sizeof bad_,
-                  "the force at the tool is not finite; a robot without a tool needs an empty "
-                  "MpcSpec::tool");
+                  "the force of tool_wrench is not finite; a robot without a tool needs an empty "
+                  "tool in its MpcSpec");
     return;
   }
   if (supports_ > 0 && is_bad("the wrench of the support", m.support_wrenches, support_names_))

@@ -189,6 +189,8 @@ std::unique_ptr<MpcTask> PressingTask::operator()(const MpcSpec& spec) const {
     throw Error("pressing task: touch has " + std::to_string(touch.size()) + " entries; wanted " +
                 std::to_string(spec.schedule.size()) + ", one for each of the " +
                 std::to_string(spec.schedule.size()) + " phases of the schedule");
+  if (spec.tool.empty())
+    throw Error("pressing task: MpcSpec.tool is empty; wanted the frame of the tool that presses");
   if (!target) throw Error("pressing task: target is empty; wanted a function of time");
   check_tool_limits(limits);
   return std::make_unique<Pressing>(*this, spec);

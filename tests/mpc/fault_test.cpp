@@ -115,7 +115,7 @@ TEST(MeasurementGate, InvalidMeasurement_IsNamedInTheReport) {
   expect_words(text_of([](Measurement& m) { m.v.conservativeResize(3); }),
                {"v has 3 entries; wanted 7"});
   expect_words(text_of([=](Measurement& m) { m.tool_wrench[0] = nan; }),
-               {"the force at the tool is not finite"});
+               {"the force of tool_wrench is not finite", "empty tool in its MpcSpec"});
   expect_words(text_of([=](Measurement& m) { m.time = nan; }),
                {"measurement's time is not finite"});
   expect_words(text_of([](Measurement& m) { m.time = 0.0; }),

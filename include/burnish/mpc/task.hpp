@@ -36,7 +36,7 @@ struct SchedulePhase {
   /// while the clock waits contain the rest of this phase and then the next phase. The last phase
   /// ignores its event
   std::string until = {};
-  /// Point where the schedule's clock waits for a late event: time before the end of the phase [s]
+  /// Time before the end of the phase at which the schedule's clock waits for a late event [s]
   /// @more If `hold` is longer than the phase, the clock waits at the start of the phase
   double hold = 0.05;
 };
@@ -139,9 +139,10 @@ class MpcTask {
   /// every tick, before the schedule's clock advances.
   virtual unsigned sense(const TaskView& /*view*/) noexcept { return 0; }
   /// Returns the estimated surface that the tool touches or approaches. If the result is null,
-  /// plans keep the last surface since reset(), or else the surfaces of the specification. Called
-  /// after sense(). The quadric is a function of the tool's position in the frame MpcSpec::base
-  /// (world if empty). The function is zero where the tool touches the surface.
+  /// plans keep the last surface that was not null. Before the first one after reset(), plans use
+  /// the surfaces of the specification. Called after sense(). The quadric is a function of the
+  /// tool's position in the frame MpcSpec::base (world if empty). The function is zero where the
+  /// tool touches the surface.
   ///
   /// The returned surface is the value of the input `surface` (docs/tasks.md). It replaces the
   /// surfaces of contacts that use this input, at all knots. The normal of the returned surface at
