@@ -294,9 +294,8 @@ const Description& description_of(const RestingHand* /*of*/) {
   using S = RestingHand;
   static const Description all =
       Describe<S>("polishing", "RestingHand",
-                  "Second hand of a standing robot. During polishing, the hand rests on a plane "
-                  "that is fixed in the world. The plane touches the hand at the start. The hand "
-                  "stays in contact in all phases.")
+                  "Second hand of a standing robot. The hand rests on a plane that is fixed in "
+                  "the world. It is in contact from the starting posture on, in all phases.")
           .field("frame", &S::frame,
                  "Frame of the resting hand; its origin is the centre of the round tip (none: no "
                  "hand rests)")
@@ -387,7 +386,8 @@ const Description& description_of(const Verdict* /*of*/) {
           .field("force_rmse", &S::force_rmse,
                  "Allowed rms force error, as a fraction of the task's force (never: no limit)",
                  {.least = 0, .open = true, .infinite = true})
-          .more("The force is averaged over 10 ms. The word `never` stands for infinite.")
+          .more("The force is averaged over 10 ms. The word `never` stands for infinite. For a "
+                "resting hand, the allowed error is this fraction of rest.force.")
           .field("path_share", &S::path_share,
                  "Smallest allowed fraction of the path's length on which the tip is over its "
                  "target",
@@ -467,8 +467,9 @@ const Description& description_of(const Task* /*of*/) {
                  "Width of the surface beyond the path on all four sides (endless: no edges) "
                  "[{m}]",
                  {.least = 0, .infinite = true})
-          .more("The surface is a square about the path's origin. The word `endless` stands for "
-                "infinite; the surface is then a whole plane.")
+          .more("The surface is a square about the path's origin. Its half side is the largest "
+                "distance of the path from its origin, plus `extent`. The word `endless` stands "
+                "for infinite; the surface is then a whole plane.")
           .word("endless")
           .field("friction", &S::friction,
                  "Coulomb friction coefficient, unless disturbances.surface_friction states "
@@ -549,7 +550,7 @@ const Description& description_of(const Task* /*of*/) {
           .field("timing", &S::timing,
                  "When a new plan is used: fixed (after solver_delay), measured (after its "
                  "computing time) or thread")
-          .more("With `measured`, a simulation also delays the plan by its computing time. With "
+          .more("With `measured`, a simulation delays the plan by its computing time. With "
                 "`thread`, a separate thread computes plans, and a plan is used as soon as it is "
                 "ready.")
           .field("solver_delay", &S::solver_delay,

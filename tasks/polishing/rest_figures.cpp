@@ -41,9 +41,21 @@ RestFigures rest_figures(const RestingHand& rest, const Setting& setting, const 
   return figures;
 }
 
+std::string rest_failure(const Task& task, const RestFigures& figures) {
+  const double force = task.rest.force, allowed = task.verdict.force_rmse;
+  if (figures.force_rmse <= allowed * force) return {};
+  char text[160];
+  std::snprintf(text, sizeof text,
+                "the force of the resting hand was off by %.3g N rms, %.3g %% of %.4g N "
+                "(verdict.force_rmse allows %.3g %%)",
+                figures.force_rmse, 100.0 * figures.force_rmse / force, force, 100.0 * allowed);
+  return text;
+}
+
 std::string rest_text(const RestingHand& rest, const RestFigures& figures) {
   char text[120];
-  std::snprintf(text, sizeof text, " rested with %.1f N, rms error %.2f N, slip %.1f mm",
+  std::snprintf(text, sizeof text,
+                " rested with %.1f N on the path, rms error %.2f N, slip %.1f mm",
                 figures.force_mean, figures.force_rmse, 1e3 * figures.slip);
   return rest.frame + text;
 }

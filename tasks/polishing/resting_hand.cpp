@@ -9,6 +9,7 @@
 #include "base/sentence.hpp"
 #include "base/to_size.hpp"
 #include "burnish/dynamics/placement.hpp"
+#include "polishing/descriptions.hpp"
 #include "pressing/arm.hpp"
 #include "pressing/sliding.hpp"
 #include "pressing/stage_terms.hpp"
@@ -17,9 +18,9 @@
 namespace burnish::polishing {
 namespace {
 
-/// Factor on RestingHand::weight for the tangential force, the ratio of the weights in push_wall.
+/// Factor on RestingHand::weight for the tangential force. push_wall has the same ratio of weights.
 constexpr double tangential_factor = 1e-2;
-/// Ratio of damping to stiffness of the plane in the plant, the ratio of the wall in push_wall [s].
+/// Ratio of damping to stiffness of the plane in the plant. The wall in push_wall has the same [s].
 constexpr double plane_lag = 0.02;
 
 int body_of(const Model& model, const std::string& frame) {
@@ -34,6 +35,29 @@ void refuse_same_link(const RestingHand& rest, const Model& model, const std::st
   throw EntryError("rest.frame", "frame " + in_quotes(rest.frame) + " is on the link of " +
                                      in_quotes(frame) + " (" + key +
                                      "); wanted a hand on another link");
+}
+
+/// Throws EntryError if the hand carries a foot, as a link of a leg or the base does.
+void refuse_leg(const RestingHand& rest, const Model& model, const std::string& foot) {
+  const int hand = body_of(model, rest.frame);
+  for (int body = body_of(model, foot); body >= 0; body = model.joints[to_size(body)].parent)
+    if (body == hand)
+      throw EntryError("rest.frame", "frame " + in_quotes(rest.frame) + " carries foot " +
+                                         in_quotes(foot) +
+                                         " (standing.feet); wanted a hand outside legs and base");
+}
+
+/// Throws EntryError if other keys of `rest` are stated without the frame of the hand.
+void refuse_nameless(const RestingHand& rest) {
+  const auto numbers = [](const RestingHand& of) {
+    return std::array{of.force,     of.radius, of.friction, of.plan_friction,
+                      of.stiffness, of.weight, of.slip};
+  };
+  const RestingHand usual;
+  if (numbers(rest) != numbers(usual) || rest.normal_world != usual.normal_world)
+    throw EntryError("rest.frame",
+                     "no hand is stated, but other keys of rest are; wanted the "
+                     "frame of the hand");
 }
 
 /// Returns the generalized force (nv) of the plane on the hand, at the state of `body`.
@@ -57,6 +81,7 @@ class WatchedRest final : public MpcTask {
                 spec.supports.begin()),
         of_task_(task_->watched().size()) {
     rest_.normal_world.normalize();
+    force_ = rest_.force;
   }
 
   std::vector<std::string> events() const override { return task_->events(); }
@@ -101,7 +126,7 @@ class WatchedRest final : public MpcTask {
     if (quantity < of_task_) return task_->explain(quantity, clause);
     if (quantity == of_task_)
       std::snprintf(clause.data(), clause.size(),
-                    "the largest force was %.2g N; contact needs %.2g N", felt_, lost_force());
+                    "the largest force was %.4g N; contact needs %.4g N", felt_, lost_force());
   }
   void aim(double time, Command& command) override { task_->aim(time, command); }
 
@@ -144,7 +169,9 @@ Stage lifted(const RestingHand& rest, Stage stage) {
 
 void check_rest(const Task& task, const Model& model) {
   const RestingHand& rest = task.rest;
-  if (!rest.is_stated()) return;
+  if (!rest.is_stated()) return refuse_nameless(rest);
+  check_ranges(description_of(&rest), &rest,
+               [](const std::string& entry) { return "the task: rest." + entry; });
   if (!task.standing.stands())
     throw EntryError("rest.frame", "hand " + in_quotes(rest.frame) +
                                        " rests only while the robot stands on its feet; wanted "
@@ -153,8 +180,7 @@ void check_rest(const Task& task, const Model& model) {
     throw EntryError("rest.frame", "frame " + pressing::none_of(model, rest.frame));
   refuse_same_link(rest, model, "tool.frame", task.tool);
   refuse_same_link(rest, model, "surface.frame", task.surface_frame);
-  for (const std::string& foot : task.standing.feet)
-    refuse_same_link(rest, model, "standing.feet", foot);
+  for (const std::string& foot : task.standing.feet) refuse_leg(rest, model, foot);
   if (!task.standing.force_sensors)
     throw EntryError("standing.force_sensors",
                      "without force sensors, the force of the resting hand " +

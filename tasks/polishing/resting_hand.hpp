@@ -15,7 +15,7 @@ void check_rest(const Task& task, const Model& model);
 /// indented there by the stated force.
 SupportSpec resting_support(const RestingHand& rest, const Model& model, const Eigen::VectorXd& q);
 
-/// Returns the supports of a scene without the resting hand.
+/// Returns the supports of a scene that are feet.
 std::vector<SupportSpec> feet_in(const Task& task, const SceneSpec& scene);
 
 /// Returns the motor torques (nv) that hold the starting posture against gravity and, with a
@@ -37,17 +37,20 @@ void keep_resting(const RestingHand& rest, Stage& stage);
 /// stages and the task of the controller must be set before. Without a resting hand, `mpc` stays
 /// unchanged.
 ///
-/// Also adds a stage in which the hand is lifted, and which no phase uses. The fallback leans only
-/// on supports that are in contact in every stage, and thus on the feet. Leaning on the hand as on
-/// a foot, the fallback would load it with much more than its force.
+/// The fallback stands on the supports that are in contact in every stage. It would load the hand
+/// like a foot. Therefore, a stage that no phase uses is added, in which the hand has no contact.
 void set_resting(const Task& task, MpcSpec& mpc);
 
 /// Returns the statistics of the hand over the rows of a trace between `begin` and `end` [s].
 RestFigures rest_figures(const RestingHand& rest, const Setting& setting, const Trace& trace,
                          double begin, double end);
 
-/// Returns the statistics as a sentence, such as "left_tool rested with 20.1 N, rms error 0.31 N,
-/// slip 0.2 mm".
+/// Returns why the force of the hand does not pass the verdict; empty if it does. The largest
+/// allowed rms error is Verdict::force_rmse times the force of the hand.
+std::string rest_failure(const Task& task, const RestFigures& figures);
+
+/// Returns the statistics as a sentence, such as "left_tool rested with 20.1 N on the path, rms
+/// error 0.31 N, slip 0.2 mm".
 std::string rest_text(const RestingHand& rest, const RestFigures& figures);
 
 }  // namespace burnish::polishing

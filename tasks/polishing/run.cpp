@@ -210,9 +210,12 @@ RunResult run_task(const RunSpec& spec) {
   measure_rest(spec, end, watch, result);
   std::string failure =
       result.verdict ? verdict_failure(spec.task, *result.verdict) : std::string();
-  if (const std::string beyond = beyond_limits(setting.robot.model, result.trace, end.time);
-      result.verdict && !beyond.empty())
-    failure = failure.empty() ? "not polished: " + beyond : failure + "; " + beyond;
+  const auto add = [&](const std::string& more) {
+    if (result.verdict && !more.empty())
+      failure = failure.empty() ? "not polished: " + more : failure + "; " + more;
+  };
+  if (result.rest) add(rest_failure(spec.task, *result.rest));
+  add(beyond_limits(setting.robot.model, result.trace, end.time));
   result.outcome = outcome_of(spec.task, result, watch, end, failure);
   result.polished = is_usable(result.plant_status) && result.fault.kind == FaultKind::None &&
                     !result.interrupted && watch.tracked(end.time) && failure.empty();

@@ -4,6 +4,7 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
+#include <cmath>
 
 #include "burnish/dynamics/placement.hpp"
 #include "burnish/tasks/polishing/run.hpp"
@@ -128,6 +129,13 @@ TEST_F(RestingHand, SmallLimitOfSlip_IsAFault) {
   expect_words(run.mpc().fault().text(), {"slip of hand 'left_tool'"});
 }
 
+TEST(RestingHandVerdict, LargeForceError_IsNotPassed) {
+  const polishing::Task task = resting_task();
+  EXPECT_EQ(polishing::rest_failure(task, {.force_rmse = 2.0}), "");
+  expect_words(polishing::rest_failure(task, {.force_rmse = 2.1}),
+               {"resting hand was off by 2.1 N rms, 10.5 % of 20 N", "verdict.force_rmse"});
+}
+
 TEST(RestingHandRefusals, UnfitHands_AreNamedWithTheRequirement) {
   polishing::Task task = resting_task();
   task.rest.frame = "left_tol";
@@ -136,6 +144,16 @@ TEST(RestingHandRefusals, UnfitHands_AreNamedWithTheRequirement) {
   expect_words(setting_refusal(task), {"rest.frame", "'tool'", "tool.frame", "another link"});
   task.rest.frame = "left_sole_link";
   expect_words(setting_refusal(task), {"rest.frame", "standing.feet"});
+  for (const char* carrier : {"leg_left_5_link", "base_link"}) {
+    task.rest.frame = carrier;
+    expect_words(setting_refusal(task), {"rest.frame", carrier, "carries foot"});
+  }
+  task.rest.frame.clear();
+  task.rest.force = 10.0;
+  expect_words(setting_refusal(task), {"rest.frame", "no hand is stated"});
+  task = resting_task();
+  task.rest.slip = std::nan("");
+  expect_words(setting_refusal(task), {"rest.slip is nan"});
   task = resting_task();
   task.rest.force = 500.0;
   expect_words(setting_refusal(task), {"rest.force", "500 N", "wanted at most", "Nm"});

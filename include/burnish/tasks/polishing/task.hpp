@@ -52,12 +52,11 @@ struct Waving {
   double rotation = 1e3;
 };
 
-/// Second hand of a standing robot. During polishing, the hand rests on a plane that is fixed in
-/// the world. The plane touches the hand at the start. The hand stays in contact in all phases.
+/// Second hand of a standing robot. The hand rests on a plane that is fixed in the world. It is in
+/// contact from the starting posture on, in all phases.
 /// @described polishing
 /// Plans keep the hand in place and bring its normal force to `force`. The force is measured by a
-/// sensor in the hand, as for the feet. The path of the tool, its force and the balance have costs
-/// of their own, so that the robot does not lean on the hand more than stated.
+/// sensor in the hand, as for the feet.
 struct RestingHand {
   /// Frame of the resting hand; its origin is the centre of the round tip (none: no hand rests)
   /// @word none
@@ -119,7 +118,8 @@ struct Verdict {
   /// Smallest allowed time in contact, as a fraction of the whole time, 0 to 1
   double contact_share = 0.99;
   /// Allowed rms force error, as a fraction of the task's force (never: no limit), > 0 or infinite
-  /// @more The force is averaged over 10 ms. The word `never` stands for infinite.
+  /// @more The force is averaged over 10 ms. The word `never` stands for infinite. For a resting
+  /// hand, the allowed error is this fraction of rest.force.
   double force_rmse = 0.1;
   /// Smallest allowed fraction of the path's length on which the tip is over its target, 0 to 1
   /// @more The tip is over its target if its distance to the target along the surface is at most
@@ -194,8 +194,9 @@ struct Task {
   SurfaceShape shape = {};
   /// Width of the surface beyond the path on all four sides (endless: no edges) [m], >= 0 or
   /// infinite
-  /// @more The surface is a square about the path's origin. The word `endless` stands for infinite;
-  /// the surface is then a whole plane.
+  /// @more The surface is a square about the path's origin. Its half side is the largest distance
+  /// of the path from its origin, plus `extent`. The word `endless` stands for infinite; the
+  /// surface is then a whole plane.
   /// @word endless
   double extent = 0.1;
   /// Coulomb friction coefficient, unless disturbances.surface_friction states another one, >= 0
@@ -245,7 +246,7 @@ struct Task {
   double tick_rate = 2000.0;    ///< Rate of torque commands [Hz], > 0
   /// When a new plan is used: fixed (after solver_delay), measured (after its computing time) or
   /// thread
-  /// @more With `measured`, a simulation also delays the plan by its computing time. With `thread`,
+  /// @more With `measured`, a simulation delays the plan by its computing time. With `thread`,
   /// a separate thread computes plans, and a plan is used as soon as it is ready.
   PlanTiming timing = PlanTiming::Fixed;
   /// Time from a measurement to the use of the plan computed from the measurement [s], >= 0
