@@ -67,7 +67,7 @@ const Description& description_of(const Push* /*of*/) {
                  "Force in world axes, at the frame's origin [{N}]")
           .key("force")
           .field("frame", &S::frame,
-                 "Frame that the force acts on (tip, or empty: the tip's frame)")
+                 "Frame that the force acts on (`tip` or empty: the frame of the tip)")
           .more("If the robot has no tool, ClosedLoop refuses an empty frame, and tasks use the "
                 "floating base instead.")
           .word("tip");
@@ -330,8 +330,9 @@ const Description& description_of(const Disturbances* /*of*/) {
                  "Slippery ground under the robot's supports; in files: [{start: s, duration: s, "
                  "frame: foot, friction: coefficient}, ...]")
           .field("pushes", &S::pushes,
-                 "Forces on the tool or on a frame; in files: [{start: s, duration: s, force: [x,"
-                 " y, z] in N and world axes, frame: name}, ...]");
+                 "Forces on a frame (without a frame: on the tool, or on the base of a robot "
+                 "without a tool); in files: [{start: s, duration: s, force: [x, y, z] in N and "
+                 "world axes, frame: name}, ...]");
   return all;
 }
 

@@ -23,7 +23,7 @@ struct Push {
   double duration = 0.0;
   /// Force in world axes, at the frame's origin [N] @key force
   Eigen::Vector3d force_world = Eigen::Vector3d::Zero();
-  /// Frame that the force acts on (tip, or empty: the tip's frame)
+  /// Frame that the force acts on (`tip` or empty: the frame of the tip)
   /// @more If the robot has no tool, ClosedLoop refuses an empty frame, and tasks use the floating
   /// base instead.
   /// @word tip
@@ -224,8 +224,8 @@ struct Disturbances {
   /// Slippery ground under the robot's supports; in files: [{start: s, duration: s, frame: foot,
   /// friction: coefficient}, ...]
   std::vector<SlipperyGround> slippery_ground = {};
-  /// Forces on the tool or on a frame; in files: [{start: s, duration: s, force: [x, y, z] in N and
-  /// world axes, frame: name}, ...]
+  /// Forces on a frame (without a frame: on the tool, or on the base of a robot without a tool); in
+  /// files: [{start: s, duration: s, force: [x, y, z] in N and world axes, frame: name}, ...]
   std::vector<Push> pushes = {};
 };
 
