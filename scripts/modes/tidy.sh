@@ -1,5 +1,6 @@
-# --tidy        clang-tidy on the sources that the last 15 commits changed, in build-tidy/; --tidy --whole:
-#               on all sources
+# --tidy        clang-tidy on the sources that the last 15 commits changed, in build-tidy/
+#   --whole       instead on all sources
+#   --most=N      on at most N of the changed sources, those with the most changed lines
 
 run_tidy() {
   install_packages --lint
