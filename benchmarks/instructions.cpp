@@ -165,11 +165,10 @@ void count_arm_tick() {
       make_ideal_plant(spec.problem.model, setting.scene, {.dt = spec.tick_period / steps});
   const Eigen::VectorXd rest = Eigen::VectorXd::Zero(spec.problem.model.nv);
   require(plant->reset(setting.q_start, rest) == Status::Ok, "arm");
-  Sensing sensing(spec.problem.model, {}, 0, spec.tick_period);
+  Sensing sensing(spec.problem.model, {}, setting.scene, touches_of(spec), spec.tick_period);
   count_tick("tick without a plan/arm", spec, number_of(Phase::Track), std::nullopt,
              [&](const Eigen::VectorXd& tau) -> const Measurement& {
-               for (int k = 0; k < steps; ++k)
-                 require(is_usable(plant->step(tau, Eigen::Vector3d::Zero())), "arm");
+               for (int k = 0; k < steps; ++k) require(is_usable(plant->step(tau)), "arm");
                return sensing.measure(*plant, tau);
              });
 }
@@ -197,8 +196,8 @@ void count_standing_tick() {
   measured.q = setting.q_start;
   measured.v = measured.tau = Eigen::VectorXd::Zero(model.nv);
   measured.imu = ImuReading{Eigen::Vector3d::Zero(), -model.gravity};
-  measured.support_wrenches.setZero(6, 2);
-  measured.support_wrenches.row(2).setConstant(0.5 * model.total_mass() * model.gravity.norm());
+  measured.wrenches.setZero(6, 2);
+  measured.wrenches.row(2).setConstant(0.5 * model.total_mass() * model.gravity.norm());
   require(base.reset(measured.q, measured.v) == Status::Ok, "standing Talos");
   count_tick("tick without a plan/standing Talos", spec, 0, std::move(base),
              [&](const Eigen::VectorXd& tau) -> const Measurement& {

@@ -99,8 +99,8 @@ def solve_time(reach: Any) -> float:
 
 
 def main() -> None:
-    scene = burnish.scene_under_tip(ROBOT.model, Q, [0.0, 0.0, 1.0], clearance=0.5)
-    plant = burnish.make_ideal_plant(ROBOT.model, scene)
+    tip = burnish.with_surface_at(ROBOT.model, Q, [0.0, 0.0, 1.0], burnish.TouchSpec("tool"), clearance=0.5)
+    plant = burnish.make_ideal_plant(ROBOT.model, burnish.SceneSpec([tip]))
     steps, ticks = SECONDS / plant.dt, SECONDS / 1e-3
     # Twice as many ticks, and nothing else.
     twice = loop_time(plant, Still(whole=False), period=5e-4)

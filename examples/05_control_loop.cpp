@@ -17,10 +17,11 @@ using Eigen::Vector3d;
 int main() {
   const Robot robot = load_robot("arm7");
   const Eigen::VectorXd q = robot.posture("ready"), rest = Eigen::VectorXd::Zero(robot.model.nv);
-  const Vector3d tilted(0.2, -0.1, 1.0);                                // out of the board, world
-  SceneSpec scene = scene_under_tip(robot.model, q, tilted, {}, 0.01);  // 1 cm under the tool
+  const Vector3d tilted(0.2, -0.1, 1.0);  // out of the board, world
+  // The board is 1 cm under the tip of the tool.
+  const TouchSpec tip = with_surface_at(robot.model, q, tilted, {.frame = "tool"}, 0.01);
   const Eigen::Matrix3d axes = Reference::surface_with_normal(tilted).rotation;
-  const Vector3d n = axes.col(2), start = scene.surface.point + scene.tip.radius * n;
+  const Vector3d n = axes.col(2), start = tip.surface.point + tip.radius * n;
 
   // Where the tool shall be and how hard it shall press, by time. Contact is due at 0.5 s.
   const auto target = [=](double t) {
@@ -63,8 +64,8 @@ int main() {
   MpcController controller(mpc);
   const Disturbances disturbances{
       .joint_viscous = 0.2, .mass_scale = 1.05, .surface_friction = 0.3};
-  const auto plant =
-      make_ideal_plant(plant_model(robot.model, disturbances), plant_scene(scene, disturbances));
+  const auto plant = make_ideal_plant(plant_model(robot.model, disturbances),
+                                      plant_scene({.touches = {tip}}, disturbances));
   ClosedLoop loop(*plant, controller, disturbances);
   if (loop.reset(q, rest) != Status::Ok || !is_usable(loop.run(4.0))) return 1;
   if (controller.fault().kind != FaultKind::None)

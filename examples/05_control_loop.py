@@ -13,12 +13,13 @@ from burnish import CostTerm, Reference, SchedulePhase, Stage, Touch, residual
 robot = burnish.load_robot("arm7")
 q = robot.posture("ready")
 tilted = [0.2, -0.1, 1.0]  # out of the board, world
-scene = burnish.scene_under_tip(robot.model, q, tilted, clearance=0.01)  # 1 cm under the tool
+# The board is 1 cm under the tip of the tool.
+tip = burnish.with_surface_at(robot.model, q, tilted, burnish.TouchSpec("tool"), clearance=0.01)
 surface = burnish.Reference.surface_with_normal(tilted)
 axes = np.asarray(surface.rotation)
 along: NDArray[np.float64] = axes[:, 0]
 n: NDArray[np.float64] = axes[:, 2]
-start: NDArray[np.float64] = np.asarray(scene.surface.point) + scene.tip.radius * n
+start: NDArray[np.float64] = np.asarray(tip.surface.point) + tip.radius * n
 
 
 def place(t: float) -> NDArray[np.float64]:
@@ -68,7 +69,7 @@ mpc = burnish.MpcSpec(
 controller = burnish.MpcController(mpc)
 disturbances = burnish.Disturbances(joint_viscous=0.2, mass_scale=1.05, surface_friction=0.3)
 plant = burnish.make_ideal_plant(burnish.plant_model(robot.model, disturbances),
-                                 burnish.plant_scene(scene, disturbances))
+                                 burnish.plant_scene(burnish.SceneSpec([tip]), disturbances))
 loop = burnish.ClosedLoop(plant, controller, disturbances)
 loop.reset(q)
 loop.run(4.0)

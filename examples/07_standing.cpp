@@ -25,10 +25,11 @@ int main() {
   };
   const Signal drawn = Signal::over_time(3, [=](double t, auto p) { p = circle(t); });
   MpcSpec mpc{.problem = {.model = robot.model},
+              .tool = "",  // the hand touches nothing
               .supports = {"left_sole_link", "right_sole_link"},
               .support_sensors = true};
   Stage stand{.name = "stand", .contacts = mpc.supports};
-  SceneSpec scene;  // its surface is the ground, which the hand does not come near
+  SceneSpec scene;
   VectorXd least = VectorXd::Constant(6, -1e9);
   least[2] = 40.0;  // N that each foot bears, and all 6 directions of it are held
   for (const std::string& foot : mpc.supports) {
@@ -41,7 +42,12 @@ int main() {
                                  .lower = least,
                                  .scale = VectorXd::Constant(1, 100.0)});
     const Vector3d under = body.placement(body.frame(foot)).translation();
-    scene.supports.push_back({.frame = foot, .half_x = 0.1, .half_y = 0.065, .point = under});
+    scene.touches.push_back(
+        {.frame = foot,
+         .half_x = 0.1,
+         .half_y = 0.065,
+         .surface = {.point = under, .friction = 0.7, .stiffness = 2e6, .damping = 1e5},
+         .is_support = true});
   }
   mpc.problem.initial_state = VectorXd::Zero(nq + nv);
   mpc.problem.initial_state.head(nq) = q;
@@ -69,7 +75,7 @@ int main() {
   if (loop.reset(q, rest) != Status::Ok || !is_usable(loop.run(2.5))) return 1;
   if (controller.fault().kind != FaultKind::None)
     return std::puts(controller.fault().text().c_str()), 1;
-  const StandingFigures stood = measure_standing(loop.trace(), plant->model(), scene.supports);
+  const StandingFigures stood = measure_standing(loop.trace(), plant->model(), scene.touches);
   if (body.update(plant->q(), plant->v()) != Status::Ok) return 1;
   const Vector3d off = body.placement(body.frame("tool")).translation() - circle(2.5);
   std::printf("stood: each foot bore %.0f N or more, used %.0f %% of its friction, slid %.1f mm\n",

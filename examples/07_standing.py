@@ -36,9 +36,9 @@ for foot in feet:
         Constraint(residual.CenterOfPressure(foot, 0.09, 0.06), name="tips " + foot),
         Constraint(residual.ContactForce(foot), name="bears " + foot, lower=least, scale=[100.0]),
     ]
-    under = body.placement(foot)[:3, 3]
-    supports.append(burnish.SupportSpec(foot, half_x=0.1, half_y=0.065, point=under))
-scene = burnish.SceneSpec(supports=supports)  # its surface is the ground, far from the hand
+    ground = burnish.SurfaceSpec(point=body.placement(foot)[:3, 3], friction=0.7, stiffness=2e6, damping=1e5)
+    supports.append(burnish.TouchSpec(foot, half_x=0.1, half_y=0.065, surface=ground, is_support=True))
+scene = burnish.SceneSpec(supports)  # the hand touches nothing
 
 weights = np.concatenate([np.full(nv, 0.1), np.full(nv, 5.0)])
 weights[:3] = 0.0  # where the base is, the centre of mass says
@@ -56,7 +56,7 @@ problem = burnish.ProblemSpec(
 held = burnish.Problem(problem).quasi_static(0, start).control
 stand.costs.append(CostTerm(residual.Control(held), weight=1e-4, name="torque"))
 mpc = burnish.MpcSpec(
-    problem, supports=feet, support_sensors=True, schedule=[burnish.SchedulePhase("stand", "stand")],
+    problem, supports=feet, support_sensors=True, tool="", schedule=[burnish.SchedulePhase("stand", "stand")],
     tick_period=1e-3, update_period=5e-3, solver_delay=5e-3,  # plans take 5 ms
     model_error=burnish.ModelErrorOptions(bandwidth=60.0, decay_time=0.2))
 

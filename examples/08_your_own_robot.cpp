@@ -71,7 +71,7 @@ int main(int argc, char** argv) {
   if (loop.reset(at.q_start, rest) != Status::Ok || !is_usable(loop.run(4.5))) return 1;
   if (controller.fault().kind != FaultKind::None)
     return std::puts(controller.fault().text().c_str()), 1;
-  const StandingFigures stood = measure_standing(loop.trace(), plant->model(), at.scene.supports);
+  const StandingFigures stood = measure_standing(loop.trace(), plant->model(), at.scene.supports());
   std::printf("bowed: by %.3f rad, the centre of mass moved %.0f mm\n", stood.base_tilt,
               1e3 * stood.com_moved);
   std::printf("stood: each foot bore %.0f %% of the weight or more\n",

@@ -69,6 +69,6 @@ loop.reset(at.q_start)
 loop.run(4.5)
 if controller.fault().kind != burnish.FaultKind.NONE:
     sys.exit(controller.fault().text())
-stood = burnish.measure_standing(loop.trace, heavier, at.scene.supports)
+stood = burnish.measure_standing(loop.trace, heavier, at.scene.supports())
 print(f"bowed: by {stood.base_tilt:.3f} rad, the centre of mass moved {1e3 * stood.com_moved:.0f} mm")
 print(f"stood: each foot bore {100 * stood.min_load / weight:.0f} % of the weight or more")

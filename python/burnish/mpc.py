@@ -4,7 +4,7 @@ from __future__ import annotations
 
 import abc
 from dataclasses import dataclass
-from typing import TYPE_CHECKING, Union
+from typing import TYPE_CHECKING, List, Optional, Union
 
 import numpy as np
 from numpy.typing import NDArray
@@ -42,13 +42,21 @@ class Controller(abc.ABC):
     """Controller of the simulation, which maps measurements to torques at a fixed period.
 
     The controllers of the library are of this class. Your own controller needs the attribute `nv` and
-    the two methods below. An exception of a method ends the run, and the methods of the loop raise it."""
+    the two methods below. An exception of a method ends the run, and the methods of the loop raise it.
+
+    The attribute `touches` is optional. A loop reads it when it is made. A controller that passes measurements
+    to another controller needs the `touches` of that controller."""
 
     if TYPE_CHECKING:
 
         @property
         def nv(self) -> int:
             """Number of torques in a command."""
+
+        @property
+        def touches(self) -> Optional[List[str]]:
+            """Frames of the columns of Measurement.wrenches, which the controller reads. None, or without the
+            attribute: all touches of the plant's scene, in their order."""
 
     @abc.abstractmethod
     def reset(self) -> None:

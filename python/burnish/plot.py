@@ -43,7 +43,7 @@ def _by_surface(runs: Dict[str, RunResult]) -> List[Tuple[str, Dict[str, RunResu
     """Groups runs by the orientation of their surfaces, with the name of the surface."""
     groups: List[Tuple[Array, str, Dict[str, RunResult]]] = []
     for name, result in runs.items():
-        normal = np.asarray(result.setting.scene.surface.normal)
+        normal = np.asarray(result.setting.scene.tool().surface.normal)
         for other, _, group in groups:
             if np.allclose(normal, other, atol=1e-6):
                 group[name] = result

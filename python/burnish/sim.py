@@ -3,8 +3,9 @@
 from __future__ import annotations
 
 import abc
+import sys
 from dataclasses import dataclass
-from typing import TYPE_CHECKING, Any, Optional
+from typing import TYPE_CHECKING, Any, List, Optional
 
 import numpy as np
 from numpy.typing import NDArray
@@ -13,6 +14,7 @@ from . import _core
 from ._core import (
     Actuation,
     ClosedLoop,
+    Error,
     Model,
     Sensing,
     check_disturbances,
@@ -25,9 +27,9 @@ from ._core import (
     make_mujoco_plant,
     plant_model,
     plant_scene,
-    push_at,
-    scene_under_tip,
+    with_surface_at,
 )
+from ._renamed import refuse_old_names
 from ._spec import Spec
 from .base import Status
 from .contact import SurfaceShape
@@ -36,10 +38,10 @@ __all__ = [
     "Actuation", "ActuationStep", "AdmittanceGains", "AdmittanceSpec", "CirclePath", "ClosedLoop",
     "ClosedLoopOptions", "Disturbances", "HoistSpec", "IdealPlantOptions", "ImpedanceGains", "ImpedanceSpec", "ImuFault",
     "MotorLoss", "MujocoContact", "MujocoPlantOptions", "Plant", "PlantSnapshot", "PressingPath", "Push", "SceneSpec",
-    "Sensing", "SlipperyGround", "SupportSpec",
-    "SurfaceMotion", "SurfaceSpec", "TaskPoint", "ToolTipSpec", "UnknownPayload", "check_disturbances", "checked_scene", "gap", "has_mujoco",
-    "make_admittance_controller", "make_ideal_plant", "make_impedance_controller",
-    "make_mujoco_plant", "plant_model", "plant_scene", "push_at", "scene_under_tip",
+    "Sensing", "SlipperyGround", "SurfaceMotion", "SurfaceSpec", "TaskPoint", "TouchSpec", "UnknownPayload",
+    "WrenchSensor", "check_disturbances", "checked_scene", "gap", "has_mujoco", "make_admittance_controller",
+    "make_ideal_plant", "make_impedance_controller", "make_mujoco_plant", "plant_model", "plant_scene",
+    "with_surface_at",
 ]
 
 
@@ -47,12 +49,15 @@ __all__ = [
 
 
 class Plant(abc.ABC):
-    """Simulation of a robot and a surface with a fixed time step.
+    """Simulation of a robot and its scene with a fixed time step.
 
     The plants of the library are of this class. Your own plant needs the attributes `model`, `dt`, `q` and
     `v`, and the methods reset() and step(). The other attributes are optional. By default, the scene is
-    SceneSpec(), the time is the number of steps times dt, and forces are zero. The frame of the tip in
-    `scene` must be a frame of the model.
+    SceneSpec() without touches, the time is the number of steps times dt, and wrenches and friction are
+    zero. The frames of `scene` must be frames of the model.
+
+    A loop adds the torques of pushes to the torques of step(). Without a loop, add J^T f, with the Jacobian J
+    of the frame and the force f on it.
 
     A loop reads `model`, `dt` and `scene` when it is made, and the other attributes after each reset and
     step. An exception of a method ends the run, and the methods of the loop raise it. A call of step() takes
@@ -78,19 +83,17 @@ class Plant(abc.ABC):
 
         @property
         def scene(self) -> SceneSpec:
-            """True surface and tool tip."""
+            """True touches and their surfaces."""
 
         @property
         def time(self) -> float:
             """Time since reset() [s]."""
 
         @property
-        def contact_force_world(self) -> NDArray[np.float64]:
-            """Force of the surface on the tip during the last step, world axes, shape (3,) [N]."""
-
-        @property
-        def in_contact(self) -> bool:
-            """True if the surface exerted a force on the tip during the last step."""
+        def wrenches(self) -> NDArray[np.float64]:
+            """Wrenches of the surfaces on the touches of `scene` during the last step, shape (6, touches):
+            force [N], then moment [Nm] about the origin of the touch's frame, in the axes of this frame at the
+            start of the step. Zero without contact."""
 
         @property
         def friction_torque(self) -> NDArray[np.float64]:
@@ -114,15 +117,13 @@ class Plant(abc.ABC):
         """
 
     @abc.abstractmethod
-    def step(self, tau: Any, push_world: Any = None) -> Optional[Status]:
-        """Advances by dt, with constant torques and a constant force on the tip.
+    def step(self, tau: Any) -> Optional[Status]:
+        """Advances by dt, with constant torques.
 
         Parameters
         ----------
         tau : array_like, shape (nv,)
             Torques [Nm or N]. The entries of a floating base are a wrench in the axes of the base.
-        push_world : array_like, shape (3,), or None
-            Force at the origin of the tip frame, in world axes [N].
 
         Returns
         -------
@@ -146,6 +147,50 @@ class Plant(abc.ABC):
 
 
 Plant.register(_core.CompiledPlant)
+refuse_old_names(sys.modules[__name__], _core.CompiledPlant)
+
+
+@dataclass(eq=False, repr=False)
+class SceneSpec(Spec):
+    def tool_index(self) -> int:
+        """Returns the index of the first touch that is not a support; -1 if there is none.
+
+        This touch is the tool in traces."""
+        return next((i for i, touch in enumerate(self.touches) if not touch.is_support), -1)
+
+    def tool(self) -> TouchSpec:
+        """Returns the entry of `touches` at tool_index(), not a copy.
+
+        Raises
+        ------
+        Error
+            If all touches are supports.
+        """
+        if self.tool_index() < 0:
+            raise Error("the scene has no tool; wanted a touch that is not a support")
+        return self.touches[self.tool_index()]
+
+    def supports(self) -> List[TouchSpec]:
+        """Returns the entries of `touches` that are supports, not copies."""
+        return [touch for touch in self.touches if touch.is_support]
+
+    def touch(self, frame: str) -> TouchSpec:
+        """Returns the entry of `touches` with a frame, not a copy.
+
+        Parameters
+        ----------
+        frame : str
+
+        Raises
+        ------
+        Error
+            If no touch has this frame.
+        """
+        for touch in self.touches:
+            if touch.frame == frame:
+                return touch
+        hint = _core.did_you_mean(frame, [touch.frame for touch in self.touches])
+        raise Error(f"the scene has no touch '{frame}'{hint}")
 
 
 @dataclass(eq=False, repr=False)

@@ -25,7 +25,7 @@ from ._task import with_changes
 from .model import Robot
 from .mpc import ModelErrorOptions, SafetyLimits
 from .pressing import PlanLimits, PlantKind, Standing
-from .sim import Disturbances, SceneSpec
+from .sim import Disturbances, SceneSpec, SurfaceSpec
 
 __all__ = [
     "RunResult", "RunSpec", "Setting", "Sway", "SwayFigures", "Task", "Weights", "check_task",

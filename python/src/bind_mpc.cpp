@@ -139,6 +139,10 @@ void bind_controller(py::module_& m) {
       .def_property_readonly(
           "nv", [](const BoundController& self) { return self.controller->nv(); },
           "Number of torques of a command.")
+      .def_property_readonly(
+          "touches", [](const BoundController& self) { return self.controller->touches(); },
+          "Frames of the columns of Measurement.wrenches, as the controller reads them; None: all "
+          "touches of the plant's scene, in their order.")
       .def(
           "reset",
           [](BoundController& self) {

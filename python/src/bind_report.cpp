@@ -32,8 +32,8 @@ trace : Trace
     Trace of a ClosedLoop.
 model : Model
     Model of the plant.
-supports : sequence of SupportSpec
-    Supports of the plant, at least one.
+supports : sequence of TouchSpec
+    Supports of the plant, at least one: see SceneSpec.supports().
 
 Returns
 -------

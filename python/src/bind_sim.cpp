@@ -29,14 +29,15 @@ EvaluationError
     If the state is invalid.)";
 
 constexpr const char* plant_step_doc =
-    R"(Advances by dt, with constant torques and a constant force on the tip.
+    R"(Advances by dt, with constant torques.
+
+A ClosedLoop simulates pushes: see Disturbances.pushes. Without a loop, add J^T f to the torques,
+with the Jacobian J of the frame and the force f on it.
 
 Parameters
 ----------
 tau : array_like, shape (nv,)
-    Torques [Nm or N].
-push_world : array_like, shape (3,), optional
-    Force at the origin of the tip frame, in world axes [N]; default: zero.
+    Torques [Nm or N]. The entries of a floating base are a wrench in the axes of the base.
 
 Raises
 ------
@@ -168,14 +169,16 @@ scene : SceneSpec
 Returns
 -------
 SceneSpec
-    Scene with a unit normal.
+    Scene with unit normals.
 
 Raises
 ------
 Error
-    If a number is out of range, or the tip frame is unknown or does not move.)";
+    If a number is out of range, if a frame is unknown or does not move, if two touches have the
+    same frame, or if a touch does not fit its surface.)";
 
-constexpr const char* scene_under_tip_doc = R"(Returns a scene with its surface under the tip.
+constexpr const char* with_surface_at_doc =
+    R"(Returns a touch with its surface moved to the robot.
 
 Parameters
 ----------
@@ -183,28 +186,31 @@ model : Model
 q : array_like, shape (nq,)
     Configuration.
 normal : array_like, shape (3,)
-    Normal of the surface in the world, of any length.
-scene : SceneSpec, optional
+    Normal of the surface, of any length, in the axes of the frame that carries the surface. Without
+    such a frame, in world axes.
+touch : TouchSpec
 clearance : float
-    Distance between tip and surface [m].
+    Distance from the sphere of the touch to the surface, along the normal [m].
 
 Returns
 -------
-SceneSpec
+TouchSpec
+    Copy with a unit normal and another point of the surface.
 
 Raises
 ------
 Error
     In the cases of checked_scene().)";
 
-constexpr const char* gap_doc = R"(Computes the distance from the tip to the surface.
+constexpr const char* gap_doc = R"(Computes the distance from the sphere of a touch to its surface.
 
 Parameters
 ----------
-scene : SceneSpec
-    Scene with a unit normal.
-p_tip_world : array_like, shape (3,)
-    Origin of the tip frame in the world [m].
+touch : TouchSpec
+    Touch whose surface has a unit normal.
+p : array_like, shape (3,)
+    Origin of the frame of the touch, in the axes of the frame that carries the surface [m]. Without
+    such a frame, in world axes.
 
 Returns
 -------
@@ -240,7 +246,8 @@ Returns
 Model)";
 
 constexpr const char* plant_scene_doc =
-    R"(Returns the scene of the plant: the nominal scene with the disturbances of the surface.
+    R"(Returns the scene of the plant: the nominal scene with the disturbances of the ground and of
+the surfaces of all tools.
 
 Parameters
 ----------
@@ -251,19 +258,6 @@ disturbances : Disturbances
 Returns
 -------
 SceneSpec)";
-
-constexpr const char* push_at_doc = R"(Returns the sum of the pushes at a time.
-
-Parameters
-----------
-pushes : sequence of Push
-time : float
-    Time [s].
-
-Returns
--------
-ndarray, shape (3,)
-    Force in world axes [N].)";
 
 constexpr const char* make_admittance_controller_doc =
     R"(Makes an admittance controller with the phases APPROACH, RAMP and TRACK.
@@ -404,7 +398,7 @@ void bind_plant_readings(PlantClass& c) {
        py::return_value_policy::reference_internal, "True model of the robot.")
       .def_property_readonly(
           "scene", [](const BoundPlant& self) { return self.plant->scene(); },
-          "True surface and tool tip, with a unit normal.")
+          "True touches and their surfaces, with unit normals.")
       .def_property_readonly(
           "dt", [](const BoundPlant& self) { return self.plant->dt(); }, "Time step [s].")
       .def_property_readonly(
@@ -416,12 +410,10 @@ void bind_plant_readings(PlantClass& c) {
       .def_property_readonly(
           "v", [](const BoundPlant& self) { return self.plant->v(); }, "Velocity, shape (nv,).")
       .def_property_readonly(
-          "contact_force_world",
-          [](const BoundPlant& self) { return self.plant->contact_force_world(); },
-          "Force of the surface on the tip during the last step, world axes, shape (3,) [N].")
-      .def_property_readonly(
-          "in_contact", [](const BoundPlant& self) { return self.plant->in_contact(); },
-          "True if the surface exerted a force on the tip during the last step.")
+          "wrenches", [](const BoundPlant& self) { return self.plant->wrenches(); },
+          "Wrenches of the surfaces on the touches of the scene during the last step, shape (6, "
+          "touches): force [N], then moment [Nm] about the origin of the touch's frame. The axes "
+          "are those of this frame at the start of the step. Zero without contact.")
       .def_property_readonly(
           "friction_torque", [](const BoundPlant& self) { return self.plant->friction_torque(); },
           "Torques of joint friction during the last step, against the motion, shape (nv,) [Nm or "
@@ -441,15 +433,18 @@ void bind_plant_motion(PlantClass& c) {
        py::arg("q"), py::arg("v") = py::none(), plant_reset_doc)
       .def(
           "step",
-          [](BoundPlant& self, const Vector& tau, const std::optional<Eigen::Vector3d>& push) {
+          [](BoundPlant& self, const Vector& tau, const py::args& more, const py::kwargs& named) {
+            if (!more.empty() || !named.empty())
+              throw py::type_error(
+                  "Plant.step: got more than the torques; wanted pushes in Disturbances.pushes of "
+                  "a ClosedLoop, or J^T f added to tau");
             const py::gil_scoped_release release;
             const Busy::Lock lock(self.busy, "Plant.step");
-            const Status status =
-                self.plant->step(tau, push.value_or(Eigen::Vector3d(Eigen::Vector3d::Zero())));
+            const Status status = self.plant->step(tau);
             require(status, "Plant.step");
             return status;
           },
-          py::arg("tau"), py::arg("push_world") = py::none(), plant_step_doc)
+          py::arg("tau"), plant_step_doc)
       .def(
           "save",
           [](BoundPlant& self) {
@@ -491,19 +486,16 @@ void bind_plant(py::module_& m) {
 void bind_scene(py::module_& m) {
   m.def("checked_scene", &checked_scene, py::arg("model"), py::arg("scene"), checked_scene_doc);
   m.def(
-      "scene_under_tip",
-      [](const Model& model, const Vector& q, const Eigen::Vector3d& normal,
-         const std::optional<SceneSpec>& scene, double clearance) {
-        return scene_under_tip(model, q, normal, scene.value_or(SceneSpec{}), clearance);
-      },
-      py::arg("model"), py::arg("q"), py::arg("normal"), py::arg("scene") = py::none(),
-      py::arg("clearance") = 0.0, scene_under_tip_doc);
-  m.def("gap", &gap, py::arg("scene"), py::arg("p_tip_world"), gap_doc);
+      "with_surface_at",
+      [](const Model& model, const Vector& q, const Eigen::Vector3d& normal, const TouchSpec& touch,
+         double clearance) { return with_surface_at(model, q, normal, touch, clearance); },
+      py::arg("model"), py::arg("q"), py::arg("normal"), py::arg("touch"),
+      py::arg("clearance") = 0.0, with_surface_at_doc);
+  m.def("gap", &gap, py::arg("touch"), py::arg("p"), gap_doc);
   m.def("check_disturbances", &check_disturbances, py::arg("model"), py::arg("disturbances"),
         check_disturbances_doc);
   m.def("plant_model", &plant_model, py::arg("nominal"), py::arg("disturbances"), plant_model_doc);
   m.def("plant_scene", &plant_scene, py::arg("nominal"), py::arg("disturbances"), plant_scene_doc);
-  m.def("push_at", &push_at, py::arg("pushes"), py::arg("time"), push_at_doc);
   m.def("circle_path_at", &CirclePath::at, py::arg("path"), py::arg("t"));
   m.def(
       "make_admittance_controller",
@@ -518,6 +510,38 @@ void bind_scene(py::module_& m) {
       },
       py::arg("model"), py::arg("spec"), make_impedance_controller_doc);
 }
+
+std::vector<std::string> frames_of(const SceneSpec& scene) {
+  std::vector<std::string> frames;
+  for (const TouchSpec& touch : scene.touches) frames.push_back(touch.frame);
+  return frames;
+}
+
+/// Sensing together with the touches of the scene for which it was made.
+class BoundSensing {
+ public:
+  BoundSensing(const Model& model, const Disturbances& disturbances, const SceneSpec& scene,
+               const std::optional<std::vector<std::string>>& touches)
+      : frames_(frames_of(scene)),
+        sensing_(model, disturbances, scene, touches.value_or(frames_)) {}
+
+  void reset() { sensing_.reset(); }
+
+  Measurement measure(const BoundPlant& plant, const Vector& applied) {
+    if (applied.size() != plant.plant->v().size())
+      throw Error("Sensing.measure: the torque has " + std::to_string(applied.size()) +
+                  " entries; wanted " + std::to_string(plant.plant->v().size()));
+    if (frames_of(plant.plant->scene()) != frames_)
+      throw Error(
+          "Sensing.measure: the plant has other touches than the scene of the sensing; wanted the "
+          "same touches in the same order");
+    return sensing_.measure(*plant.plant, applied);
+  }
+
+ private:
+  std::vector<std::string> frames_;
+  Sensing sensing_;
+};
 
 void bind_between(py::module_& m) {
   py::class_<Actuation>(m, "Actuation",
@@ -558,24 +582,21 @@ void bind_between(py::module_& m) {
       .def_property_readonly("delay_steps", &Actuation::delay_steps,
                              "Delay in steps of the plant.");
 
-  py::class_<Sensing>(m, "Sensing",
-                      "Measurements of a plant for a controller, one call per tick: noise, "
-                      "encoders, differences and filters.")
-      .def(py::init<const Model&, const Disturbances&>(), py::arg("model"), py::arg("disturbances"),
-           "Raises Error in the cases of check_disturbances().")
-      .def("reset", &Sensing::reset,
+  py::class_<BoundSensing>(m, "Sensing",
+                           "Measurements of a plant for a controller, one call per tick: noise, "
+                           "encoders, differences and filters.")
+      .def(py::init<const Model&, const Disturbances&, const SceneSpec&,
+                    const std::optional<std::vector<std::string>>&>(),
+           py::arg("model"), py::arg("disturbances"), py::arg("scene"),
+           py::arg("touches") = py::none(),
+           "`scene` is the scene of the plant. `touches` are the frames of the columns of "
+           "Measurement.wrenches; None: all touches of the scene. Raises Error in the cases of "
+           "check_disturbances(), and for a frame without a touch in the scene.")
+      .def("reset", &BoundSensing::reset,
            "Resets the sensing, with the same sequence of random numbers.")
-      .def(
-          "measure",
-          [](Sensing& self, const BoundPlant& plant, const Vector& applied) {
-            if (applied.size() != plant.plant->v().size())
-              throw Error("Sensing.measure: the torque has " + std::to_string(applied.size()) +
-                          " entries; wanted " + std::to_string(plant.plant->v().size()));
-            return self.measure(*plant.plant, applied);
-          },
-          py::arg("plant"), py::arg("applied"),
-          "Measures a plant of the library. `applied` (nv,) are the motor torques during its last "
-          "step.");
+      .def("measure", &BoundSensing::measure, py::arg("plant"), py::arg("applied"),
+           "Measures a plant of the library. `applied` (nv,) are the motor torques during its last "
+           "step.");
 }
 
 void bind_loop_views(py::class_<BoundLoop>& loop) {
@@ -617,8 +638,8 @@ void bind_loop(py::module_& m) {
            }),
            py::arg("plant"), py::arg("controller"), py::arg("disturbances") = py::none(),
            py::arg("options") = py::none(),
-           "Raises Error for periods that do not match, a controller of another size, and invalid "
-           "disturbances.")
+           "Raises Error for periods that do not match, a controller of another size, a controller "
+           "that reads the wrench on a touch that the plant lacks, and invalid disturbances.")
       .def(
           "estimate_base",
           [](BoundLoop& self, const Model& known, const BaseEstimatorOptions& estimator,

@@ -38,6 +38,16 @@ Value read(const py::object& object, const char* kind, const char* name) {
   return py::detail::cast_op<Value&>(caster);
 }
 
+/// Reads wrenches on touches, one per column.
+Wrenches read_wrenches(const py::object& object, const char* kind, Eigen::Index touches) {
+  const Eigen::MatrixXd values = read<Eigen::MatrixXd>(object, kind, "wrenches");
+  if (values.rows() != 6 || values.cols() != touches)
+    throw Error(std::string(kind) + ".wrenches: got " + std::to_string(values.rows()) + " x " +
+                std::to_string(values.cols()) + " numbers; wanted 6 x " + std::to_string(touches) +
+                ", one column per touch of the scene");
+  return values;
+}
+
 Eigen::VectorXd read_vector(const py::object& object, const char* kind, const char* name,
                             Eigen::Index size) {
   Eigen::VectorXd values = read<Eigen::VectorXd>(object, kind, name);
@@ -85,8 +95,10 @@ class PlantPart::Adaptor final : public Plant {
     const bool has_scene = py::hasattr(plant, "scene");
     scene_ =
         checked_scene(model_, has_scene ? read<SceneSpec>(plant, "Plant", "scene") : SceneSpec{});
+    wrenches_.setZero(6, static_cast<Eigen::Index>(scene_.touches.size()));
     if (!(dt_ > 0.0))
       throw Error("Plant.dt: got " + std::to_string(dt_) + "; wanted a time above 0 s");
+    (void)has_wrenches();
   }
 
   const Model& model() const override { return model_; }
@@ -95,25 +107,21 @@ class PlantPart::Adaptor final : public Plant {
   double time() const override { return time_; }
   const Eigen::VectorXd& q() const override { return q_; }
   const Eigen::VectorXd& v() const override { return v_; }
-  const Eigen::Vector3d& contact_force_world() const override { return force_; }
-  bool in_contact() const override { return in_contact_; }
+  const Wrenches& wrenches() const override { return wrenches_; }
   const Eigen::VectorXd& friction_torque() const override { return friction_; }
 
   Status reset(const ConstVectorRef& q, const ConstVectorRef& v) noexcept override {
     return guarded([&] {
       const py::object answer = object_.attr("reset")(array_of(q), array_of(v));
       has_time_ = py::hasattr(object_, "time");
-      has_force_ = py::hasattr(object_, "contact_force_world");
-      has_contact_ = py::hasattr(object_, "in_contact");
+      has_wrenches_ = has_wrenches();
       has_friction_ = py::hasattr(object_, "friction_torque");
       return take(answer, 0.0);
     });
   }
 
-  Status step(const ConstVectorRef& tau, const Eigen::Vector3d& push_world) noexcept override {
-    return guarded([&] {
-      return take(object_.attr("step")(array_of(tau), array_of(push_world)), time_ + dt_);
-    });
+  Status step(const ConstVectorRef& tau) noexcept override {
+    return guarded([&] { return take(object_.attr("step")(array_of(tau)), time_ + dt_); });
   }
 
   void save(PlantSnapshot& /*snapshot*/) const override {
@@ -135,6 +143,17 @@ class PlantPart::Adaptor final : public Plant {
     }
   }
 
+  /// Returns whether the object has wrenches. Throws Error for an object that has only the contact
+  /// force of earlier versions.
+  bool has_wrenches() const {
+    if (py::hasattr(object_, "wrenches")) return true;
+    if (py::hasattr(object_, "contact_force_world"))
+      throw Error("Plant: " + type_of(object_) +
+                  " has 'contact_force_world'; wanted 'wrenches', the wrenches on the touches of "
+                  "the scene in the axes of their frames, with shape (6, touches)");
+    return false;
+  }
+
   /// Reads the answer of a call, and the state of the plant after it.
   Status take(const py::object& answer, double time) {
     const auto status = answer.is_none() ? Status::Ok : py::cast<Status>(answer);
@@ -142,9 +161,8 @@ class PlantPart::Adaptor final : public Plant {
     const Eigen::VectorXd q = read_vector(object_, "Plant", "q", model_.nq);
     const Eigen::VectorXd v = read_vector(object_, "Plant", "v", model_.nv);
     if (!q.allFinite() || !v.allFinite()) return Status::NotFinite;
-    if (has_force_) force_ = read_vector(object_, "Plant", "contact_force_world", 3);
+    if (has_wrenches_) wrenches_ = read_wrenches(object_, "Plant", wrenches_.cols());
     if (has_friction_) friction_ = read_vector(object_, "Plant", "friction_torque", model_.nv);
-    in_contact_ = has_contact_ ? read<bool>(object_, "Plant", "in_contact") : !force_.isZero(0.0);
     time_ = has_time_ ? read<double>(object_, "Plant", "time") : time;
     q_ = q;
     v_ = v;
@@ -156,10 +174,9 @@ class PlantPart::Adaptor final : public Plant {
   SceneSpec scene_;
   double dt_, time_ = 0.0;
   Eigen::VectorXd q_, v_;
-  Eigen::Vector3d force_ = Eigen::Vector3d::Zero();
+  Wrenches wrenches_;
   Eigen::VectorXd friction_;
-  bool in_contact_ = false;
-  bool has_time_ = false, has_force_ = false, has_contact_ = false, has_friction_ = false;
+  bool has_time_ = false, has_wrenches_ = false, has_friction_ = false;
 };
 
 PlantPart::PlantPart(py::object plant) : object_(std::move(plant)) {
@@ -189,9 +206,12 @@ class ControllerPart::Adaptor final : public Controller {
     for (const char* name : {"reset", "tick"}) (void)attribute(controller, "Controller", name);
     if (nv_ < 0) throw Error("Controller.nv: got " + std::to_string(nv_) + "; wanted at least 0");
     command_.tau = Eigen::VectorXd::Zero(nv_);
+    if (py::hasattr(controller, "touches"))
+      touches_ = read<std::optional<std::vector<std::string>>>(controller, "Controller", "touches");
   }
 
   int nv() const override { return nv_; }
+  std::optional<std::vector<std::string>> touches() const override { return touches_; }
 
   void reset() noexcept override {
     try {
@@ -238,6 +258,7 @@ class ControllerPart::Adaptor final : public Controller {
 
   py::object object_;
   int nv_;
+  std::optional<std::vector<std::string>> touches_;
   Command command_;
 };
 

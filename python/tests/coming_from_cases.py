@@ -192,7 +192,8 @@ def control() -> SimpleNamespace:
     problem = bn.ProblemSpec(ARM.model, stages=stages, horizon=[bn.HorizonSegment("one", 10)], initial_state=START)
     spec = bn.MpcSpec(problem, schedule=[bn.SchedulePhase("a", "one", 0.02), bn.SchedulePhase("b", "two")],
                       tick_period=1e-3, update_period=5e-3)
-    plant = bn.make_ideal_plant(ARM.model, bn.scene_under_tip(ARM.model, START[:7], [0, 0, 1], clearance=0.1))
+    tip = bn.with_surface_at(ARM.model, START[:7], [0, 0, 1], bn.TouchSpec("tool"), clearance=0.1)
+    plant = bn.make_ideal_plant(ARM.model, bn.SceneSpec([tip]))
     loop = bn.ClosedLoop(plant, bn.MpcController(spec))
     loop.reset(START[:7])
     assert loop.run(0.04) is bn.Status.OK

@@ -120,7 +120,8 @@ class Still(burnish.Controller):
         return np.zeros(self.nv)
 
 
-SCENE = burnish.scene_under_tip(ARM.model, ROWS[0], [-1.0, 0.0, 1.0], clearance=0.1)
+SCENE = burnish.SceneSpec([burnish.with_surface_at(ARM.model, ROWS[0], [-1.0, 0.0, 1.0], burnish.TouchSpec("tool"),
+                                                   clearance=0.1)])
 SHORT = burnish.ClosedLoopOptions(max_duration=0.002)
 
 

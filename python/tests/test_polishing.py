@@ -205,9 +205,9 @@ class TestReach:
 
     def test_extent_of_the_surface_is_beyond_the_path(self):
         task = polishing.make_task("table", extent=0.2)
-        assert polishing.make_setting(task).scene.surface.extent == pytest.approx(0.27)
+        assert polishing.make_setting(task).scene.tool().surface.extent == pytest.approx(0.27)
         task.extent = float("inf")
-        assert np.isinf(polishing.make_setting(task).scene.surface.extent)
+        assert np.isinf(polishing.make_setting(task).scene.tool().surface.extent)
 
     def test_search_without_a_posture_raises(self):
         task = polishing.make_task("table", posture="search", overrides=["path.radius=2"])

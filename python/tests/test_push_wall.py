@@ -22,7 +22,7 @@ def test_task_with_overrides_round_trips_through_its_text(tmp_path):
 def test_setting_has_feet_and_hands_as_supports():
     task = push_wall.make_task(SHIPPED)
     setting = push_wall.make_setting(task)
-    assert [s.frame for s in setting.scene.supports] == task.standing.feet + task.hands
+    assert [s.frame for s in setting.scene.supports()] == task.standing.feet + task.hands
     assert setting.p_hands.shape == (3, 2)
     assert setting.touch < setting.ramp_end < setting.hold_end < setting.search_end < setting.top_end
     push_wall.refuse_out_of_reach(task, setting)
@@ -33,7 +33,7 @@ def test_setting_has_feet_and_hands_as_supports():
     (lambda: push_wall.make_task(overrides=["forse=3"]), "did you mean 'force'"),
     (lambda: push_wall.make_task(SHIPPED, force=500.0), "limits.force: the limit is 400 N"),
     (lambda: push_wall.make_setting(push_wall.make_task(SHIPPED, hands=["left_tol", "tool"])), "left_tool"),
-    (lambda: push_wall.run(SHIPPED, plant="ideal"), "cannot simulate the scene's supports"),
+    (lambda: push_wall.run(SHIPPED, plant="ideal"), "cannot simulate support"),
     (lambda: push_wall.read_task("nowhere.yaml"), "nowhere.yaml"),
 ])
 def test_invalid_input_raises(work, words):

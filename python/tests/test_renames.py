@@ -38,8 +38,10 @@ def test_old_keyword_is_refused_with_the_new_one(name: str, old: str, new: str) 
 
 
 MODEL = burnish.load_robot(str(ROOT / "robots/arm7")).model
+PLANT = burnish.make_ideal_plant(MODEL, burnish.SceneSpec())
 OWNERS: Dict[str, Any] = {"burnish": burnish, "burnish.model": burnish.model, "burnish.push_wall": push_wall,
-                          "burnish.model.Model": MODEL, **ENUMS, **SPECS}
+                          "burnish.sim": burnish.sim, "burnish.model.Model": MODEL, "burnish.sim.Plant": PLANT, **ENUMS,
+                          **SPECS}
 ATTRIBUTES = [(name, old) for name, owner in OWNERS.items() for old in dict(RENAMES)
               if any(hasattr(owner, now) for was, now in RENAMES if was == old)]
 
@@ -73,6 +75,10 @@ PYTHON_NAMES = [
     ("burnish.push_wall.Limit", "MOST", "FORCE_MAX"),
     ("burnish.push_wall.Limit", "BEAR", "STATICS"),
     ("burnish.push_wall.Limit", "GIVE", "TRACKING"),
+    ("burnish", "ToolTipSpec", "TouchSpec"),
+    ("burnish.sim", "SupportSpec", "TouchSpec"),
+    ("burnish.sim", "scene_under_tip", "with_surface_at"),
+    ("burnish.sim.Plant", "contact_force_world", "wrenches"),
 ]
 
 

@@ -26,11 +26,13 @@ def robot():
 def run(robot):
     """Returns the loop and the normal of a baseline run along a circle, with friction and noise."""
     q = robot.posture("ready")
-    nominal = burnish.scene_under_tip(robot.model, q, [0.1, -0.2, 1.0], clearance=0.004)
+    tip = burnish.with_surface_at(robot.model, q, [0.1, -0.2, 1.0],
+                                  burnish.TouchSpec("tool"), clearance=0.004)
+    nominal = burnish.SceneSpec([tip])
     disturbances = burnish.Disturbances(seed=3, force_noise=0.2, surface_friction=0.2,
                                         mass_scale=1.05)
-    n = nominal.surface.normal
-    path = burnish.CirclePath(nominal.surface.point + nominal.tip.radius * n, n, radius=0.02,
+    n = tip.surface.normal
+    path = burnish.CirclePath(tip.surface.point + tip.radius * n, n, radius=0.02,
                               rate=4.0, start_up=0.5, force=15.0)
     controller = burnish.make_impedance_controller(
         robot.model, burnish.ImpedanceSpec(burnish.PressingPath(normal_world=n, task=path.at, posture=q)))

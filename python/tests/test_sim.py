@@ -29,7 +29,8 @@ def q(robot):
 
 @pytest.fixture(scope="module")
 def scene(robot, q):
-    return burnish.scene_under_tip(robot.model, q, [0.1, 0.0, 1.0], clearance=0.005)
+    tip = burnish.TouchSpec("tool")
+    return burnish.SceneSpec([burnish.with_surface_at(robot.model, q, [0.1, 0.0, 1.0], tip, clearance=0.005)])
 
 
 class Posture(burnish.Controller):
@@ -63,14 +64,13 @@ class Wrapped(burnish.Plant):
     def reset(self, q, v=None):
         self.inner.reset(q, v)
 
-    def step(self, tau, push_world=None):
-        self.inner.step(tau, push_world)
+    def step(self, tau):
+        self.inner.step(tau)
 
     q = property(lambda self: self.inner.q)
     v = property(lambda self: self.inner.v)
     time = property(lambda self: self.inner.time)
-    contact_force_world = property(lambda self: self.inner.contact_force_world)
-    in_contact = property(lambda self: self.inner.in_contact)
+    wrenches = property(lambda self: self.inner.wrenches)
     friction_torque = property(lambda self: self.inner.friction_torque)
 
 
@@ -92,15 +92,16 @@ class PointMass:
 
     dt = 1e-3
 
-    def __init__(self, model):
+    def __init__(self, model, scene=None):
         self.model = model
+        self.scene = burnish.SceneSpec() if scene is None else scene
         self.q, self.v = np.zeros(1), np.zeros(1)
 
     def reset(self, q, v):
         self.q, self.v = q, v
 
-    def step(self, tau, push_world):
-        a = (tau + push_world[2]) / 2.0
+    def step(self, tau):
+        a = tau / 2.0
         self.q = self.q + self.dt * self.v + 0.5 * self.dt**2 * a
         self.v = self.v + self.dt * a
 
@@ -137,12 +138,36 @@ def rows(loop):
     return loop.trace.array().tobytes()
 
 
-def test_scene_under_tip_has_the_given_clearance(robot, q, scene):
-    assert np.isclose(np.linalg.norm(scene.surface.normal), 1.0)
-    tip = scene.surface.point + (scene.tip.radius + 0.005) * scene.surface.normal
-    assert np.isclose(burnish.gap(scene, tip), 0.005)
+def test_surface_moved_to_a_touch_has_the_given_clearance(robot, q, scene):
+    touch = scene.tool()
+    assert np.isclose(np.linalg.norm(touch.surface.normal), 1.0)
+    body = burnish.RigidBody(robot.model)
+    body.update(q, np.zeros(robot.model.nv))
+    p_tip = body.placement("tool")[:3, 3]
+    assert np.allclose(touch.surface.point + (touch.radius + 0.005) * touch.surface.normal, p_tip)
+    assert np.isclose(burnish.gap(touch, p_tip), 0.005)
     with pytest.raises(burnish.Error, match="did you mean 'tool'"):
-        burnish.checked_scene(robot.model, burnish.SceneSpec(tip=burnish.ToolTipSpec("tol")))
+        burnish.checked_scene(robot.model, burnish.SceneSpec([burnish.TouchSpec("tol")]))
+    with pytest.raises(burnish.Error, match="did you mean 'tool'"):
+        burnish.with_surface_at(robot.model, q, [0.0, 0.0, 1.0], burnish.TouchSpec("tol"))
+    with pytest.raises(burnish.Error, match="two touches with frame 'tool'"):
+        burnish.checked_scene(robot.model, burnish.SceneSpec([touch, touch]))
+
+
+def test_scene_gives_its_tool_supports_and_touches_by_frame():
+    foot, other, hand = (burnish.TouchSpec(name, is_support=name != "hand") for name in ("left", "right", "hand"))
+    scene = burnish.SceneSpec([foot, other, hand])
+    assert scene.tool_index() == 2 and scene.tool() is hand
+    assert [touch.frame for touch in scene.supports()] == ["left", "right"] and scene.supports()[0] is foot
+    scene.touch("right").surface.friction = 0.7
+    assert other.surface.friction == 0.7
+    with pytest.raises(burnish.Error, match="no touch 'righ'; did you mean 'right'"):
+        scene.touch("righ")
+    standing = burnish.SceneSpec([foot])
+    assert standing.tool_index() == -1
+    with pytest.raises(burnish.Error, match="no tool"):
+        standing.tool()
+    assert burnish.SceneSpec().touches == []
 
 
 def test_disturbances_change_model_and_scene(robot, scene):
@@ -151,14 +176,12 @@ def test_disturbances_change_model_and_scene(robot, scene):
     model, real = burnish.plant_model(robot.model, d), burnish.plant_scene(scene, d)
     assert np.isclose(model.total_mass, 1.1 * robot.model.total_mass)
     assert np.all(model.damping == 0.3) and np.all(model.friction == 0.0)
-    assert real.surface.friction == 0.4
-    assert np.isclose(real.surface.normal @ scene.surface.normal, np.cos(np.radians(5.0)))
-    assert np.allclose(real.surface.point - scene.surface.point, 0.01 * scene.surface.normal)
+    surface, nominal = real.tool().surface, scene.tool().surface
+    assert surface.friction == 0.4
+    assert np.isclose(surface.normal @ nominal.normal, np.cos(np.radians(5.0)))
+    assert np.allclose(surface.point - nominal.point, 0.01 * nominal.normal)
     with pytest.raises(burnish.Error, match="torque_scale"):
         burnish.check_disturbances(robot.model, burnish.Disturbances(torque_scale=[1.0]))
-    pushes = [burnish.Push(1.0, 0.5, [1.0, 2.0, 3.0])]
-    assert burnish.push_at(pushes, 1.2).tolist() == [1.0, 2.0, 3.0]
-    assert burnish.push_at(pushes, 1.6).tolist() == [0.0, 0.0, 0.0]
 
 
 def test_invalid_disturbance_raises_with_its_name(robot, scene):
@@ -187,14 +210,18 @@ def test_restored_plant_repeats_the_same_states(robot, q, scene):
         assert plant.step(zero) == Status.OK
     assert np.isclose(plant.time, 0.02) and np.any(plant.v != 0.0)
     snapshot = pickle.loads(pickle.dumps(plant.save()))
+    body = burnish.RigidBody(robot.model)
     def fall():
         states = []
         for i in range(200):
-            plant.step(zero, [0.0, 1.0, 0.0])
-            states.append((plant.q, plant.v, plant.contact_force_world, plant.in_contact))
+            body.update(plant.q, plant.v)
+            push = body.frame_derivatives("tool", "centered").jacobian[1]  # of 1 N along y
+            plant.step(zero + push)
+            states.append((plant.q, plant.v, plant.wrenches, plant.friction_torque))
         return states
     first = fall()
-    assert any(state[3] for state in first), "the tool must touch the surface"
+    assert all(state[2].shape == (6, 1) for state in first)
+    assert any(state[2].any() for state in first), "the tool must touch the surface"
     plant.restore(snapshot)
     assert np.isclose(plant.time, 0.02)
     for a, b in zip(first, fall()):
@@ -211,6 +238,12 @@ def test_invalid_state_or_torque_raises(robot, q, scene):
     before = plant.q
     with pytest.raises(burnish.EvaluationError, match="Plant.step"):
         plant.step(np.full(robot.model.nv, np.nan))
+    zero = np.zeros(robot.model.nv)
+    for push in ({"push_world": [0.0, 1.0, 0.0]}, {"push": None}):
+        with pytest.raises(TypeError, match="wanted pushes in Disturbances.pushes of a ClosedLoop, or J"):
+            plant.step(zero, **push)
+    with pytest.raises(TypeError, match="Disturbances.pushes"):
+        plant.step(zero, [0.0, 1.0, 0.0])
     assert np.array_equal(plant.q, before) and plant.time == 0.0
     with pytest.raises(burnish.Error, match="dt"):
         burnish.make_ideal_plant(robot.model, scene, burnish.IdealPlantOptions(dt=0.0))
@@ -266,15 +299,18 @@ def test_python_plant_gives_the_same_bits(robot, q, scene):
     assert ours.run(0.25) == theirs.run(0.25) == Status.OK
     assert rows(ours) == rows(theirs)
     assert ours.trace["tool_force_x_world"].any(), "the tool must touch the surface"
-    assert ours.trace["push_x_world"].max() == 5.0
+    time, push = ours.trace["time"], ours.trace["push_x_world"]
+    assert np.all(push[(time > 0.0998) & (time < 0.1498)] == 5.0), "the push lasts from 0.1 s to 0.15 s"
+    assert np.all(push[(time < 0.0998) | (time > 0.1498)] == 0.0)
+    assert not ours.trace["push_y_world"].any()
 
 
 def test_object_with_the_attributes_of_a_plant_is_accepted():
     model = slider()
-    scene = burnish.SceneSpec(burnish.SurfaceSpec(point=[0, 0, -9.0]))
+    scene = burnish.SceneSpec([burnish.TouchSpec("tool", surface=burnish.SurfaceSpec(point=[0, 0, -9.0]))])
     ideal = burnish.make_ideal_plant(model, scene, burnish.IdealPlantOptions(dt=1e-3))
     traces = []
-    for plant in (PointMass(model), ideal):
+    for plant in (PointMass(model, scene), ideal):
         loop = burnish.ClosedLoop(plant, Posture(model, [0.1], kp=8.0, kd=3.0),
                                   burnish.Disturbances(pushes=[burnish.Push(1.0, 0.2, [0, 0, 4.0])]))
         loop.reset([0.0], [0.5])
@@ -296,6 +332,43 @@ def test_python_controller_keeps_a_posture(robot, q, scene):
     assert loop.command.target_force == 1.5 and loop.command.phase == burnish.Phase.TRACK
     assert np.all(loop.trace["target_y_world"] == 2.0)
     assert np.isclose(loop.measurement.time, 0.499)
+
+
+def test_python_plant_reports_the_wrenches_on_its_touches():
+    model = slider()
+    scene = burnish.SceneSpec([burnish.TouchSpec("tool", surface=burnish.SurfaceSpec(point=[0, 0, -9.0]),
+                                                 sensor=burnish.WrenchSensor.WRENCH)])
+
+    class Touching(PointMass):
+        wrenches = np.array([[1.0], [2.0], [3.0], [0.1], [0.2], [0.3]])
+
+    loop = burnish.ClosedLoop(Touching(model, scene), Posture(model, [0.0]))
+    loop.reset([0.0])
+    loop.run(0.01)
+    assert loop.measurement.wrenches.ravel().tolist() == [1.0, 2.0, 3.0, 0.1, 0.2, 0.3]
+    force = [loop.trace[f"tool_force_{axis}_world"][-1] for axis in "xyz"]
+    assert np.allclose(force, [1.0, 2.0, 3.0]) and np.all(loop.trace["in_contact"] == 1.0)
+
+
+def test_controller_states_the_wrenches_that_it_reads(robot, q, scene):
+    def measured(touches):
+        controller = Posture(robot.model, q)
+        if touches != "not stated":
+            controller.touches = touches
+        loop = burnish.ClosedLoop(burnish.make_ideal_plant(robot.model, scene), controller)
+        loop.reset(q)
+        loop.step()
+        return loop.measurement.wrenches
+
+    for touches in ("not stated", None, ["tool"]):
+        wrench = measured(touches)
+        assert wrench.shape == (6, 1)
+        assert np.all(np.isfinite(wrench[:3])) and np.all(np.isnan(wrench[3:])), "only the force is measured"
+    assert measured([]).shape == (6, 0)
+    with pytest.raises(burnish.Error, match="'tol', which is not a touch of the plant's scene; did you mean 'tool'"):
+        measured(["tol"])
+    with pytest.raises(burnish.Error, match="Controller.touches: got 'tool'; wanted a list"):
+        measured("tool")
 
 
 def test_controller_may_return_only_its_torque():
@@ -323,10 +396,10 @@ class Broken(Exception):
 @pytest.mark.parametrize("part", ["plant", "controller", "attribute"])
 def test_python_exception_comes_out_of_run(robot, q, scene, part):
     class Plant(Wrapped):
-        def step(self, tau, push_world=None):
+        def step(self, tau):
             if part == "plant" and self.inner.time > 0.0495:
                 raise Broken("at 0.05")
-            super().step(tau, push_world)
+            super().step(tau)
 
         @property
         def v(self):
@@ -384,8 +457,19 @@ def test_invalid_python_plant_or_controller_raises_with_the_reason(robot, q, sce
         loop.run(0.01)
 
     class Wide(PointMass):
-        def step(self, tau, push_world):
+        def step(self, tau):
             self.q = np.zeros(3)
+
+    class Pushed(PointMass):
+        contact_force_world = np.zeros(3)
+
+    class Late(PointMass):
+        def reset(self, q, v):
+            super().reset(q, v)
+            self.contact_force_world = np.zeros(3)
+
+    class Touched(PointMass):
+        wrenches = np.zeros((6, 1))
 
     class Text(Posture):
         def tick(self, measurement):
@@ -397,6 +481,11 @@ def test_invalid_python_plant_or_controller_raises_with_the_reason(robot, q, sce
 
     with pytest.raises(burnish.Error, match="Plant.q: got 3 numbers; wanted 1"):
         run(Wide(model), Posture(model, [0.0]))
+    for old in (Pushed, Late):
+        with pytest.raises(burnish.Error, match=f"{old.__name__} has 'contact_force_world'; wanted 'wrenches'"):
+            run(old(model), Posture(model, [0.0]))
+    with pytest.raises(burnish.Error, match="Plant.wrenches: got 6 x 1 numbers; wanted 6 x 0, one column per touch"):
+        run(Touched(model), Posture(model, [0.0]))
     with pytest.raises(burnish.Error, match="Controller.tick: got 'full speed'; wanted a Command"):
         run(PointMass(model), Text(model, [0.0]))
     with pytest.raises(burnish.Error, match="torque has 4 entries; wanted 1"):
@@ -415,7 +504,7 @@ def test_status_of_a_python_plant_ends_the_run():
     class Stuck(PointMass):
         steps = 0
 
-        def step(self, tau, push_world):
+        def step(self, tau):
             self.steps += 1
             return Status.OK if self.steps < 5 else Status.NOT_FINITE
 
@@ -428,17 +517,24 @@ def test_status_of_a_python_plant_ends_the_run():
 
 
 def test_baseline_presses_and_task_exception_comes_out(robot, q, scene):
-    n = scene.surface.normal
-    path = burnish.CirclePath(center_world=scene.surface.point + scene.tip.radius * n,
+    tool = scene.tool()
+    n = tool.surface.normal
+    path = burnish.CirclePath(center_world=tool.surface.point + tool.radius * n,
                               normal_world=n, radius=0.0, force=12.0)
     spec = burnish.ImpedanceSpec(burnish.PressingPath(normal_world=n, task=path.at, posture=q))
     controller = burnish.make_impedance_controller(robot.model, spec)
     assert isinstance(controller, burnish.Controller) and controller.nv == robot.model.nv
+    assert controller.touches == ["tool"]
     plant = burnish.make_ideal_plant(burnish.plant_model(robot.model, burnish.Disturbances()), scene)
     loop = burnish.ClosedLoop(plant, controller)
     loop.reset(q)
     loop.run(2.0)
-    assert abs(plant.contact_force_world @ n - 12.0) < 0.1
+    force = np.array([loop.trace[f"tool_force_{axis}_world"][-1] for axis in "xyz"])
+    assert abs(force @ n - 12.0) < 0.1
+    body = burnish.RigidBody(robot.model)
+    body.update(plant.q, plant.v)
+    assert np.allclose(body.placement("tool")[:3, :3] @ plant.wrenches[:3, 0], force, atol=1e-3)
+    assert np.allclose(plant.wrenches[3:, 0], 0.0, atol=1e-9), "without friction the force passes through the centre"
 
     def task(t):
         if t > 0.3005:
@@ -473,13 +569,19 @@ def test_same_seed_draws_the_same_numbers(robot, q, scene):
     loop = make_loop(robot, scene, q)
     assert np.array_equal(loop.actuation.scale, one.scale)
 
-    sensing = burnish.Sensing(robot.model, ALL)
+    sensing = burnish.Sensing(robot.model, ALL, scene)
     plant = burnish.make_ideal_plant(robot.model, scene)
     plant.reset(q)
     seen = sensing.measure(plant, np.zeros(7))
     assert np.any(seen.q != q) and np.abs(seen.q - q).max() < 1e-3
+    assert seen.wrenches.shape == (6, 1) and 0.0 < np.abs(seen.wrenches[:3]).max() < 1.0
     sensing.reset()
     assert sensing.measure(plant, np.zeros(7)) == seen
+    assert burnish.Sensing(robot.model, ALL, scene, touches=[]).measure(plant, np.zeros(7)).wrenches.shape == (6, 0)
+    with pytest.raises(burnish.Error, match="no touch 'tol'; did you mean 'tool'"):
+        burnish.Sensing(robot.model, ALL, scene, ["tol"])
+    with pytest.raises(burnish.Error, match="other touches than the scene"):
+        burnish.Sensing(robot.model, ALL, burnish.SceneSpec()).measure(plant, np.zeros(7))
 
 
 def test_trace_views_keep_their_loop_alive(robot, q, scene):
@@ -513,8 +615,9 @@ def test_invalid_periods_and_durations_raise(robot, q, scene):
 
 def baseline_loop(robot, q, scene):
     """Returns a loop of C++ parts; only its task is a Python function, called at every tick."""
-    n = scene.surface.normal
-    point = burnish.TaskPoint(p_world=scene.surface.point + scene.tip.radius * n, force=10.0)
+    tool = scene.tool()
+    n = tool.surface.normal
+    point = burnish.TaskPoint(p_world=tool.surface.point + tool.radius * n, force=10.0)
     controller = burnish.make_impedance_controller(
         robot.model, burnish.ImpedanceSpec(burnish.PressingPath(normal_world=n, task=lambda t: point, posture=q)))
     loop = burnish.ClosedLoop(burnish.make_ideal_plant(robot.model, scene), controller)

@@ -24,7 +24,7 @@ def test_task_with_overrides_round_trips_through_its_text(tmp_path):
 def test_setting_has_feet_as_supports_and_finds_a_posture():
     task = stand.make_task(SHIPPED)
     setting = stand.make_setting(task)
-    assert [s.frame for s in setting.scene.supports] == task.standing.feet
+    assert [s.frame for s in setting.scene.supports()] == task.standing.feet
     assert setting.base == "trunk" and setting.sway_end == 8.5
     np.testing.assert_allclose(setting.heading, np.eye(3))
     stand.refuse_out_of_reach(task, setting)
@@ -56,7 +56,7 @@ def test_setting_of_another_robot_finds_its_feet():
     (lambda: stand.make_task(SHIPPED, sway_duration=1.0), "sway.rise: it is 1.5 s"),
     (lambda: stand.make_setting(stand.make_task(SHIPPED, robot="arm7")), "no feet were found"),
     (lambda: stand.run(SHIPPED, overrides=["sway.shift=[0, 0.2, 0]", "sway.fit=false"]), "cannot stand"),
-    (lambda: stand.run(SHIPPED, plant="ideal"), "cannot simulate the scene's supports"),
+    (lambda: stand.run(SHIPPED, plant="ideal"), "cannot simulate support"),
     (lambda: stand.read_task("nowhere.yaml"), "nowhere.yaml"),
 ])
 def test_invalid_input_raises(work, words):

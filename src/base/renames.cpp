@@ -22,7 +22,9 @@ constexpr Rename names[] = {
     {"bend_change", "curvature_change"},
     {"normal_world", "normal_base"},
     {"point_world", "point_base"},
-    {"tool_force_world", "tool_wrench"},
+    {"tool_force_world", "wrenches"},
+    {"tool_wrench", "wrenches"},
+    {"support_wrenches", "wrenches"},
     // solver
     {"price", "l1_weight"},
     {"largest_price", "max_l1_weight"},
@@ -45,6 +47,9 @@ constexpr Rename names[] = {
     {"bend", "body_distance_fraction"},
     // robots
     {"stated_joints", "file_joints"},
+    // simulation
+    {"tip", "touches"},
+    {"surface", "touches"},
     // Python: entries of results, classes, members of enumerations
     {"outside_knot", "violation_knot"},
     {"outside_row", "violation_row"},
@@ -52,6 +57,10 @@ constexpr Rename names[] = {
     {"pushing", "active_constraints"},
     {"given_way", "unsatisfiable_rows"},
     {"lean_end", "search_end"},
+    {"contact_force_world", "wrenches"},
+    {"scene_under_tip", "with_surface_at"},
+    {"ToolTipSpec", "TouchSpec"},
+    {"SupportSpec", "TouchSpec"},
     {"StatedJoint", "FileJoint"},
     {"Lean", "ForceSearch"},
     {"SQUARE", "QUADRATIC"},

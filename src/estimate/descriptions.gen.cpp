@@ -270,18 +270,14 @@ const Description& description_of(const Measurement* /*of*/) {
                  "Measured velocity, nv entries")
           .field("tau", &S::tau,
                  "Joint torques measured between motor and link, nv entries [{Nm (N)}]")
-          .field("tool_wrench", &S::tool_wrench,
-                 "Measured wrench of the surface on the tool: force (N), then moment (Nm)")
-          .more("Moments are about the origin of the tool's frame. Force and moment are in the "
-                "axes of this frame and exclude the weight of the tool. Components that no sensor"
-                " measures are NaN. Controllers use only the force")
+          .field("wrenches", &S::wrenches,
+                 "Measured wrenches by surfaces on the robot, one column per entry of "
+                 "Controller.touches: force (N), then moment (Nm)")
+          .more("Moments are about the origin of the touch's frame. Force and moment are in the "
+                "axes of this frame and exclude the weight of the tool or foot. Components that "
+                "no sensor measures are NaN")
           .field("imu", &S::imu,
                  "Reading of the inertial measurement unit; empty if the robot has none")
-          .field("support_wrenches", &S::support_wrenches,
-                 "Measured wrench of the ground on each support, one column per support: force "
-                 "(N), then moment (Nm)")
-          .more("Moments are about the origin of the support's frame. Force and moment are in the"
-                " axes of this frame. Empty if wrenches are not measured")
           .field("base_lost_for", &S::base_lost_for,
                  "Time since the last position estimate of a floating base [{s}]")
           .more("The value 0 means that the estimate is current. While the value is positive, the"

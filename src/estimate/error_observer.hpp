@@ -40,7 +40,6 @@ class ChangeDetector {
 
 class ErrorObserver {
  public:
-  using Wrenches = TorqueErrorObserver::Wrenches;
   /// Arguments as those of TorqueErrorObserver. `state`: a state with `supports` among its
   /// contacts. Throws Error for an unknown frame and for options out of range.
   ErrorObserver(const Model& model, const ModelErrorOptions& options, const RobotState& state,

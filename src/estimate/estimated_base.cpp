@@ -1,14 +1,27 @@
 #include "burnish/estimate/estimated_base.hpp"
 
+#include <algorithm>
 #include <cmath>
+#include <limits>
 
+#include "base/to_size.hpp"
 #include "burnish/estimate/foot_forces.hpp"
 #include "dynamics/payloads.hpp"
 
 namespace burnish {
+namespace {
+
+std::vector<std::string> frames_of_feet(const std::vector<FootSpec>& feet) {
+  std::vector<std::string> frames;
+  for (const FootSpec& foot : feet) frames.push_back(foot.frame);
+  return frames;
+}
+
+}  // namespace
 
 struct EstimatedBase::Impl {
-  Impl(const Model& model, const BaseEstimatorOptions& options, const FootContactOptions& feet)
+  Impl(const Model& model, const BaseEstimatorOptions& options, const FootContactOptions& feet,
+       const std::vector<std::string>& frames)
       : base(model, options),
         feet_count(base.filter().feet()),
         contacts(model, feet_count, feet),
@@ -19,7 +32,18 @@ struct EstimatedBase::Impl {
         normal_forces(Eigen::VectorXd::Zero(feet_count)) {
     result.q = model.q_neutral;
     result.v = result.tau = tau;
-    result.support_wrenches.setZero(6, feet_count);
+    for (const FootSpec& foot : options.feet)
+      columns.push_back(std::find(frames.begin(), frames.end(), foot.frame) - frames.begin());
+    touches = static_cast<Eigen::Index>(frames.size());
+    result.wrenches.setZero(6, touches);
+  }
+
+  /// Returns whether a measurement has the force on each foot.
+  bool has_foot_forces(const Measurement& measured) const noexcept {
+    return measured.wrenches.cols() == touches &&
+           std::all_of(columns.begin(), columns.end(), [&](Eigen::Index column) {
+             return column < touches && measured.wrenches.col(column).head<3>().allFinite();
+           });
   }
 
   Status update_contacts(const Measurement& measured, double dt) noexcept;
@@ -27,6 +51,8 @@ struct EstimatedBase::Impl {
 
   GuardedBase base;
   int feet_count;
+  Eigen::Index touches = 0;           ///< Number of columns of Measurement::wrenches.
+  std::vector<Eigen::Index> columns;  ///< Columns of the feet; `touches` for feet without a column.
   FootContacts contacts;
   FootForces forces;
   Payloads payloads;
@@ -40,8 +66,10 @@ struct EstimatedBase::Impl {
 };
 
 EstimatedBase::EstimatedBase(const Model& model, const BaseEstimatorOptions& estimator,
-                             const FootContactOptions& contacts)
-    : impl_(std::make_unique<Impl>(model, estimator, contacts)) {}
+                             const FootContactOptions& contacts,
+                             const std::vector<std::string>& touches)
+    : impl_(std::make_unique<Impl>(model, estimator, contacts,
+                                   touches.empty() ? frames_of_feet(estimator.feet) : touches)) {}
 EstimatedBase::~EstimatedBase() = default;
 EstimatedBase::EstimatedBase(EstimatedBase&&) noexcept = default;
 EstimatedBase& EstimatedBase::operator=(EstimatedBase&&) noexcept = default;
@@ -73,10 +101,12 @@ Status EstimatedBase::set_payload(std::string_view frame, const InertiaSpec& pay
 /// Updates the set of standing feet from measured wrenches or, without wrenches, from joint
 /// torques.
 Status EstimatedBase::Impl::update_contacts(const Measurement& measured, double dt) noexcept {
-  if (measured.support_wrenches.cols() > 0) {
-    if (measured.support_wrenches.cols() < normal_forces.size()) return Status::WrongSize;
+  if (measured.wrenches.cols() != 0 && measured.wrenches.cols() != touches)
+    return Status::WrongSize;
+  if (has_foot_forces(measured)) {
     for (int k = 0; k < feet_count; ++k)
-      normal_forces[k] = up.dot(base.foot_rotation(k) * measured.support_wrenches.col(k).head<3>());
+      normal_forces[k] =
+          up.dot(base.foot_rotation(k) * measured.wrenches.col(columns[to_size(k)]).head<3>());
     return contacts.update(normal_forces, dt);
   }
   // Uses the base estimate of the previous tick, because the estimate of this tick needs the
@@ -122,14 +152,11 @@ const Measurement& EstimatedBase::update(const Measurement& measured) noexcept {
   d.status = d.follow(measured);
   Measurement& result = d.result;
   result.time = measured.time;
-  result.tool_wrench = measured.tool_wrench;
   result.imu = measured.imu;
-  // Copies the wrenches of all feet into memory that was reserved at the start. Without wrenches of
-  // all feet, the result has none.
-  if (measured.support_wrenches.cols() >= d.feet_count)
-    result.support_wrenches = measured.support_wrenches;
+  if (measured.wrenches.cols() == d.touches)
+    result.wrenches = measured.wrenches;
   else
-    result.support_wrenches.resize(6, 0);
+    result.wrenches.setConstant(std::numeric_limits<double>::quiet_NaN());
   if (measured.tau.size() == result.tau.size()) result.tau = measured.tau;
   if (measured.q.size() == result.q.size())
     result.q.tail(result.q.size() - 7) = measured.q.tail(result.q.size() - 7);

@@ -71,12 +71,12 @@ double SupportGrip::required_friction(const Support& support,
 }
 
 double SupportGrip::updated_friction(const Support& support, const RigidBody& body,
-                                     const Measurement& measurement, double dt,
+                                     const Wrenches& wrenches, double dt,
                                      double friction) const noexcept {
   const Eigen::Matrix3d R = body.placement(support.index).linear();
   double load = infinite, slip_friction = 0.0, easing = 2.0 * options_.easing;
   if (support.sensor >= 0) {
-    const auto wrench = measurement.support_wrenches.col(support.sensor);
+    const auto wrench = wrenches.col(support.sensor);
     load = up_.dot(R * wrench.head<3>());
     if (load > options_.load)
       slip_friction = options_.friction_fraction * required_friction(support, wrench, R, load);
@@ -91,13 +91,12 @@ double SupportGrip::updated_friction(const Support& support, const RigidBody& bo
   return std::max(friction, std::min(support.friction, options_.min_friction));
 }
 
-void SupportGrip::update(const RigidBody& body, const Measurement& measurement,
-                         double dt) noexcept {
+void SupportGrip::update(const RigidBody& body, const Wrenches& wrenches, double dt) noexcept {
   for (std::size_t i = 0; i < supports_.size(); ++i) {
     follow(supports_[i], body, dt);
     double& friction = friction_[static_cast<Eigen::Index>(i)];
     if (options_.enabled && std::isfinite(supports_[i].friction))
-      friction = updated_friction(supports_[i], body, measurement, dt, friction);
+      friction = updated_friction(supports_[i], body, wrenches, dt, friction);
   }
 }
 

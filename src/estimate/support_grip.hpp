@@ -6,7 +6,6 @@
 #include <vector>
 
 #include "burnish/derivatives/rigid_body.hpp"
-#include "burnish/estimate/measurement.hpp"
 #include "burnish/estimate/slip.hpp"
 
 namespace burnish {
@@ -15,7 +14,7 @@ namespace burnish {
 struct GripSpec {
   std::string name;       ///< Name of the contact.
   std::string frame;      ///< Frame of the robot that is held.
-  int sensor;             ///< Column of Measurement::support_wrenches; -1: no sensor.
+  int sensor;             ///< Column of the wrenches of update(); -1: no sensor.
   double friction;        ///< Coefficient of the friction cone; infinite: no cone.
   double half_x, half_y;  ///< Half sides of the sole [m]; 0: point foot.
 };
@@ -27,8 +26,8 @@ class SupportGrip {
 
   void reset() noexcept;
   /// Updates the estimates with a measurement, `dt` [s] after the previous one. `body`: kinematics
-  /// at the measurement.
-  void update(const RigidBody& body, const Measurement& measurement, double dt) noexcept;
+  /// at the measurement. `wrenches`: measured wrenches on supports, as in Measurement::wrenches.
+  void update(const RigidBody& body, const Wrenches& wrenches, double dt) noexcept;
 
   /// Returns the coefficient of friction that plans use, per support; infinite if the support has
   /// no friction cone.
@@ -46,9 +45,8 @@ class SupportGrip {
   void follow(Support& support, const RigidBody& body, double dt) const noexcept;
   double required_friction(const Support& support, const Eigen::Matrix<double, 6, 1>& wrench,
                            const Eigen::Matrix3d& R, double load) const noexcept;
-  double updated_friction(const Support& support, const RigidBody& body,
-                          const Measurement& measurement, double dt,
-                          double friction) const noexcept;
+  double updated_friction(const Support& support, const RigidBody& body, const Wrenches& wrenches,
+                          double dt, double friction) const noexcept;
 
   SlipOptions options_;
   Eigen::Vector3d up_;

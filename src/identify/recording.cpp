@@ -79,10 +79,8 @@ Trace record_motion(const Model& model, const Payload& payload, const Excitation
                     const Disturbances& disturbances) {
   IdealPlantOptions options;
   options.dt = 1e-3;
-  SceneSpec scene;
-  scene.tip.frame.clear();
   const auto plant =
-      make_ideal_plant(plant_model(with_payload(model, payload), disturbances), scene, options);
+      make_ideal_plant(plant_model(with_payload(model, payload), disturbances), {}, options);
   return record_motion(*plant, model, motion, disturbances);
 }
 

@@ -269,7 +269,8 @@ const Description& description_of(const MpcSpec* /*of*/) {
                  "Function that creates the task, which defines events and monitored quantities; "
                  "none: no task")
           .field("tool", &S::tool,
-                 "Frame of Measurement::tool_wrench; empty: the robot has no tool")
+                 "Frame of the tool; empty: the robot has no tool")
+          .more("The wrench on the tool is the first column of Measurement.wrenches")
           .field("base", &S::base,
                  "Robot frame that carries the surface, such as a hand that holds a plate; empty:"
                  " the world")
@@ -285,16 +286,16 @@ const Description& description_of(const MpcSpec* /*of*/) {
                 "that are in contact only in some stages, such as hands on a wall, require "
                 "support_sensors")
           .field("support_sensors", &S::support_sensors,
-                 "Whether Measurement.support_wrenches is measured, with one column per entry of "
-                 "`supports`")
-          .more("Torque errors are then estimated in all joints, including the joints of "
-                "supporting legs")
+                 "Whether Measurement.wrenches has a column for each entry of `supports`, after "
+                 "that of the tool")
+          .more("All supports then need a sensor of force and moment: a NaN in one of these "
+                "columns makes the measurement invalid. Torque errors are estimated in all "
+                "joints, including the joints of supporting legs")
           .field("force_sensor", &S::force_sensor,
-                 "Whether the force of Measurement.tool_wrench is measured; if false, the force "
-                 "is estimated")
-          .more("The force is estimated from the change of the torque error at contact. The "
-                "estimate uses torques, positions and velocities, and requires that "
-                "model_error.kind is `torque`")
+                 "Whether the force on the tool is measured; if false, it is estimated")
+          .more("If false, the column of the tool is not read. The force is estimated from the "
+                "change of the torque error at contact. The estimate uses torques, positions and "
+                "velocities, and requires that model_error.kind is `torque`")
           .field("contact_threshold", &S::contact_threshold,
                  "Normal force above which the tool counts as in contact [{N}]")
           .field("tick_period", &S::tick_period,

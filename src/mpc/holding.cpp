@@ -137,8 +137,7 @@ void Holding::remove_failed_motor() noexcept {
 /// distribution of the weight. Joints that do not lie between a foot and the base have the load
 /// fraction of all feet together. The blended inertia is S^1/2 M_closed S^1/2 + (1 - S)^1/2 M_open
 /// (1 - S)^1/2, which is again a valid inertia.
-void Holding::blend_with_hanging(
-    const Eigen::VectorXd& q, const Eigen::Matrix<double, 6, Eigen::Dynamic>& wrenches) noexcept {
+void Holding::blend_with_hanging(const Eigen::VectorXd& q, const Wrenches& wrenches) noexcept {
   if (feet_.empty()) return;
   double total_load = 0.0;
   for (const Foot& foot : feet_) {
@@ -173,8 +172,7 @@ void Holding::blend_with_hanging(
 }
 
 void Holding::torque(const Eigen::VectorXd& q, const Eigen::VectorXd& v, bool fresh,
-                     const Eigen::Matrix<double, 6, Eigen::Dynamic>& wrenches,
-                     Eigen::VectorXd& tau) noexcept {
+                     const Wrenches& wrenches, Eigen::VectorXd& tau) noexcept {
   blind_for_ = fresh ? 0.0 : blind_for_ + tick_period_;
   tau.setZero();
   if (at_rest(q) == nullptr) return;

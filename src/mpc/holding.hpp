@@ -39,10 +39,9 @@ class Holding {
   void release() noexcept { holding_ = false; }
   /// Sets `tau` (nv) [Nm or N] to the holding torque at q and v, or to zero if the dynamics cannot
   /// be evaluated. `fresh`: true if q and v were measured at this tick. `wrenches`:
-  /// Measurement::support_wrenches, which has no columns if no support has a sensor.
+  /// MeasurementGate::support_wrenches().
   void torque(const Eigen::VectorXd& q, const Eigen::VectorXd& v, bool fresh,
-              const Eigen::Matrix<double, 6, Eigen::Dynamic>& wrenches,
-              Eigen::VectorXd& tau) noexcept;
+              const Wrenches& wrenches, Eigen::VectorXd& tau) noexcept;
   /// Returns the torques that hold the robot still (nv) [Nm or N]: the gravity torques b(q, 0) for
   /// the actuated entries, zero for the other entries. On a robot with loops or supports, the
   /// torques also carry the load of the unactuated joints. Returns null if the dynamics cannot be
@@ -55,8 +54,7 @@ class Holding {
   bool update_spring(const Eigen::VectorXd& q, bool fresh) noexcept;
   bool compute_free_inertia(const Eigen::VectorXd& q) noexcept;
   void remove_failed_motor() noexcept;
-  void blend_with_hanging(const Eigen::VectorXd& q,
-                          const Eigen::Matrix<double, 6, Eigen::Dynamic>& wrenches) noexcept;
+  void blend_with_hanging(const Eigen::VectorXd& q, const Wrenches& wrenches) noexcept;
   bool compute_closed_inertia(const Eigen::VectorXd& q) noexcept;
 
   Fallback fallback_;

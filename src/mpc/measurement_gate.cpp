@@ -12,6 +12,7 @@ MeasurementGate::MeasurementGate(const GateSpec& spec)
       support_names_(spec.sensors),
       tick_period_(spec.tick_period),
       sensor_(spec.force_sensor ? RigidBody(spec.model).frame(spec.tool) : -1),
+      touches_(static_cast<Eigen::Index>(spec.touches.size())),
       supports_(static_cast<Eigen::Index>(spec.sensors.size())),
       q_start_(spec.q_start),
       state_(spec.model, spec.contacts, spec.tool, spec.surface_frame) {
@@ -20,7 +21,8 @@ MeasurementGate::MeasurementGate(const GateSpec& spec)
   for (int k = 0; k < model.nv; ++k) v_names_.push_back(model.v_name(k));
   last_.q = q_start_;
   last_.v = last_.tau = Eigen::VectorXd::Zero(model.nv);
-  last_.support_wrenches.setZero(6, supports_);
+  last_.wrenches.setZero(6, touches_);
+  support_wrenches_.setZero(6, supports_);
 }
 
 void MeasurementGate::reset() noexcept {
@@ -29,7 +31,8 @@ void MeasurementGate::reset() noexcept {
   last_.v.setZero();
   last_.tau.setZero();
   tool_force_world_.setZero();
-  last_.support_wrenches.setZero();
+  last_.wrenches.setZero();
+  support_wrenches_.setZero();
   last_.base_lost_for = 0.0;
   started_ = fresh_ = first_ = false;
 }
@@ -51,6 +54,16 @@ bool MeasurementGate::take_state(const Measurement& m) noexcept {
   return true;
 }
 
+/// Returns whether a measurement contains all wrenches that are required: the force on the tool, if
+/// it has a sensor, and the wrenches on the supports with sensors. Without sensors, it may have no
+/// columns.
+bool MeasurementGate::has_wrenches(const Measurement& m) const noexcept {
+  if (sensor_ < 0 && supports_ == 0) return true;
+  return m.wrenches.cols() == touches_ &&
+         (sensor_ < 0 || m.wrenches.col(0).head<3>().allFinite()) &&
+         m.wrenches.rightCols(supports_).allFinite();
+}
+
 bool MeasurementGate::accept(const Measurement& m, FaultLatch& latch, Status& status) noexcept {
   const bool stands_still = started_ && m.time <= last_.time;
   if (latch.is_set()) {
@@ -59,8 +72,9 @@ bool MeasurementGate::accept(const Measurement& m, FaultLatch& latch, Status& st
     if (stands_still || !take_state(m)) return false;
     if (std::isfinite(m.time)) last_.time = m.time;
     if (m.tau.size() == last_.tau.size() && m.tau.allFinite()) last_.tau = m.tau;
-    if (supports_ > 0 && m.support_wrenches.cols() == supports_ && m.support_wrenches.allFinite())
-      last_.support_wrenches = m.support_wrenches;
+    if (supports_ > 0 && m.wrenches.cols() == touches_ &&
+        m.wrenches.rightCols(supports_).allFinite())
+      support_wrenches_ = m.wrenches.rightCols(supports_);
     return true;
   }
   if (stands_still) {
@@ -70,10 +84,7 @@ bool MeasurementGate::accept(const Measurement& m, FaultLatch& latch, Status& st
     return false;
   }
   const double gap = started_ ? m.time - last_.time : 0.0;
-  const bool forces = m.tau.size() == last_.tau.size() && m.tau.allFinite() &&
-                      (sensor_ < 0 || m.tool_wrench.head<3>().allFinite()) &&
-                      (supports_ == 0 ||
-                       (m.support_wrenches.cols() == supports_ && m.support_wrenches.allFinite()));
+  const bool forces = m.tau.size() == last_.tau.size() && m.tau.allFinite() && has_wrenches(m);
   if (!std::isfinite(m.time) || !forces || !take_state(m)) {
     status = Status::NotFinite;
     describe_defect(m);
@@ -81,10 +92,10 @@ bool MeasurementGate::accept(const Measurement& m, FaultLatch& latch, Status& st
     return false;
   }
   last_.tau = m.tau;
-  last_.tool_wrench = m.tool_wrench;
+  if (m.wrenches.cols() == touches_) last_.wrenches = m.wrenches;
   if (sensor_ >= 0)
-    tool_force_world_ = state_.body().placement(sensor_).linear() * m.tool_wrench.head<3>();
-  if (supports_ > 0) last_.support_wrenches = m.support_wrenches;
+    tool_force_world_ = state_.body().placement(sensor_).linear() * m.wrenches.col(0).head<3>();
+  if (supports_ > 0) support_wrenches_ = m.wrenches.rightCols(supports_);
   last_.base_lost_for = m.base_lost_for;
   now_ = last_.time = m.time;
   if (gap > limits_.stale) latch.raise(now_, FaultKind::StaleMeasurement, gap, limits_.stale);
@@ -119,6 +130,22 @@ bool MeasurementGate::is_bad(const char* what, const Entries& entries,
   return false;
 }
 
+/// Writes a description of wrenches that are missing or not finite into bad_.
+void MeasurementGate::describe_wrenches(const Measurement& m) noexcept {
+  if (m.wrenches.cols() != touches_) {
+    std::snprintf(bad_, sizeof bad_,
+                  "wrenches has %d columns; wanted %d, one per entry of the controller's touches",
+                  static_cast<int>(m.wrenches.cols()), static_cast<int>(touches_));
+  } else if (sensor_ >= 0 && !m.wrenches.col(0).head<3>().allFinite()) {
+    std::snprintf(
+        bad_, sizeof bad_,
+        "the force of wrenches at the tool is not finite; a robot without a tool needs an "
+        "empty tool in its MpcSpec");
+  } else {
+    (void)is_bad("the wrench of the support", m.wrenches.rightCols(supports_), support_names_);
+  }
+}
+
 /// Writes a description of a measurement's first defect into bad_.
 void MeasurementGate::describe_defect(const Measurement& m) noexcept {
   if (!std::isfinite(m.time)) {
@@ -128,14 +155,10 @@ void MeasurementGate::describe_defect(const Measurement& m) noexcept {
   if (is_bad("q", m.q.transpose(), q_names_) || is_bad("v", m.v.transpose(), v_names_) ||
       is_bad("tau", m.tau.transpose(), v_names_))
     return;
-  if (sensor_ >= 0 && !m.tool_wrench.head<3>().allFinite()) {
-    std::snprintf(bad_, sizeof bad_,
-                  "the force of tool_wrench is not finite; a robot without a tool needs an empty "
-                  "tool in its MpcSpec");
+  if (!has_wrenches(m)) {
+    describe_wrenches(m);
     return;
   }
-  if (supports_ > 0 && is_bad("the wrench of the support", m.support_wrenches, support_names_))
-    return;
   const Status status = state_.update(m.q, m.v);
   std::snprintf(bad_, sizeof bad_, "q and v are not a valid state (%.*s)",
                 static_cast<int>(describe(status).size()), describe(status).data());

@@ -176,9 +176,11 @@ void MpcController::Impl::process_measurement() noexcept {
                       .schedule = schedule,
                       .command = command_,
                       .dt = gate.dt(),
-                      .tool_force_world = gate.tool_force_world()};
+                      .tool_force_world = gate.tool_force_world(),
+                      .support_wrenches = gate.support_wrenches()};
   const ErrorInput input{.measurement = gate.last(),
                          .tool_force_world = gate.tool_force_world(),
+                         .support_wrenches = gate.support_wrenches(),
                          .dt = gate.dt(),
                          .target_force = command_.target_force,
                          .sent = ahead_.acted(),
@@ -190,7 +192,7 @@ void MpcController::Impl::process_measurement() noexcept {
   const unsigned happened = task->sense(view);
   update_surface();
   error.update(gate.state(), input);
-  grip.update(gate.body(), gate.last(), gate.dt());
+  grip.update(gate.body(), gate.support_wrenches(), gate.dt());
   command_.force_estimate_world = error.force_world();
   command_.friction = error.friction();
   // Until a thread has computed the first plan, the fallback holds the robot, and the clock of the
@@ -452,14 +454,14 @@ void MpcController::Impl::control() noexcept {
     policy.add_feedforward(i, friction);
     command_.tau[k] = u_[i] + friction + error.force_feedback()[k];
   }
-  holding_.soles().keep(gate.last().support_wrenches, command_.tau);
+  holding_.soles().keep(gate.support_wrenches(), command_.tau);
   holding_.release();
 }
 
 void MpcController::Impl::fall_back() noexcept {
   holding_.set_failed_motor(motors_.lost());
   if (!gate.is_fresh()) gate.fade_velocity(std::exp(-spec.fallback.damping * spec.tick_period));
-  holding_.torque(gate.last().q, gate.last().v, gate.is_fresh(), gate.last().support_wrenches,
+  holding_.torque(gate.last().q, gate.last().v, gate.is_fresh(), gate.support_wrenches(),
                   command_.tau);
   error.joint_friction().rest();
 }

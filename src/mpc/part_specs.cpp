@@ -12,14 +12,11 @@
 namespace burnish {
 namespace {
 
-/// Returns the frames of all supports, in the order of Measurement::support_wrenches; empty if the
+/// Returns the frames of all supports, in the order of MpcSpec::supports; empty if the
 /// specification has no wrench sensors.
 std::vector<std::string> measured_frames(const MpcSpec& spec) {
-  std::vector<std::string> frames;
-  if (!spec.support_sensors) return frames;
-  for (const std::string& support : spec.supports)
-    for (const ContactSpec& contact : spec.problem.contacts)
-      if (contact.name == support) frames.push_back(contact.tool);
+  std::vector<std::string> frames = touches_of(spec);
+  if (!spec.tool.empty()) frames.erase(frames.begin());
   return frames;
 }
 
@@ -40,7 +37,7 @@ std::vector<double> plan_steps(const MpcSpec& spec) {
   return steps;
 }
 
-/// Returns the column of a support in Measurement::support_wrenches; -1: no sensor.
+/// Returns the column of a support in MeasurementGate::support_wrenches(); -1: no sensor.
 int sensor_of(const MpcSpec& spec, const std::string& support) {
   if (!spec.support_sensors) return -1;
   const auto at = std::find(spec.supports.begin(), spec.supports.end(), support);
@@ -148,6 +145,7 @@ GateSpec gate_spec(const MpcSpec& spec) {
           .surface_frame = spec.base,
           .q_start = problem.initial_state.head(problem.model.nq),
           .force_sensor = spec.force_sensor && !spec.tool.empty(),
+          .touches = touches_of(spec),
           .sensors = spec.support_sensors ? spec.supports : std::vector<std::string>(),
           .limits = spec.limits,
           .tick_period = spec.tick_period};

@@ -66,8 +66,7 @@ SoleLimits::SoleLimits(const Model& model, const Eigen::VectorXd& q, const std::
   }
 }
 
-void SoleLimits::keep(const Eigen::Matrix<double, 6, Eigen::Dynamic>& wrenches,
-                      Eigen::VectorXd& tau) const noexcept {
+void SoleLimits::keep(const Wrenches& wrenches, Eigen::VectorXd& tau) const noexcept {
   for (const Ankle& ankle : ankles_) {
     if (ankle.sensor >= wrenches.cols()) return;
     const double load = wrenches.col(ankle.sensor).head<3>().norm();

@@ -26,9 +26,8 @@ class SoleLimits {
              double stiffness);
 
   /// Clamps the ankle entries of tau (nv) so that no sole tips under its measured load [Nm].
-  /// `wrenches`: Measurement::support_wrenches.
-  void keep(const Eigen::Matrix<double, 6, Eigen::Dynamic>& wrenches,
-            Eigen::VectorXd& tau) const noexcept;
+  /// `wrenches`: MeasurementGate::support_wrenches().
+  void keep(const Wrenches& wrenches, Eigen::VectorXd& tau) const noexcept;
 
  private:
   struct Ankle {

@@ -9,7 +9,7 @@ const Words& words_of(MujocoContact /*of*/) {
   static const Words all{
       "sim",
       "MujocoContact",
-      "Contact model of the tool's tip in a MuJoCo plant.",
+      "Contact model of tools in a MuJoCo plant.",
       {{"exact", "Spring, damper and Coulomb friction on the exact surface"},
        {"engine", "MuJoCo's own contact, for the shapes that it supports"}}};
   return all;

@@ -126,62 +126,52 @@ void load_loops(const Model& model, int first, mjModel& m) {
     }
 }
 
-std::string support_name(std::size_t i) { return "support_" + std::to_string(i); }
+std::string touch_name(std::size_t i) { return "touch_" + std::to_string(i); }
 
-/// Adds the supports and their planes. Each support collides only with its own plane, by its
-/// own collision bit. Bits 0 and 1 are for tip and surface.
-void add_supports(const Model& model, const SceneSpec& scene, Additions& to) {
-  constexpr std::size_t first = 2, bits = 30;
-  constexpr double half_thickness = 0.01;  // of a planar foot, m
-  if (scene.supports.size() > bits - first)
-    throw Error("the scene has " + std::to_string(scene.supports.size()) +
-                " supports; wanted at most " + std::to_string(bits - first) + " for MuJoCo");
-  for (std::size_t i = 0; i < scene.supports.size(); ++i) {
-    const SupportSpec& support = scene.supports[i];
-    const std::string bit = std::to_string(1U << (first + i));
-    const std::string collision = " contype=\"" + bit + "\" conaffinity=\"" + bit + "\" condim=\"" +
-                                  (support.friction > 0.0 ? "3" : "1") + "\" friction=\"" +
-                                  numbers(support.friction, 0.0, 0.0) + "\"/>\n";
-    Eigen::Isometry3d at = Eigen::Isometry3d::Identity();
-    at.translation() = support.point;
-    at.linear() = Reference::surface_with_normal(support.normal).rotation;
-    to.world += "<geom name=\"" + support_name(i) + R"(_plane" type="plane" size="1 1 0.01")" +
-                pose_attributes(at) + collision;
-    const Frame& frame = model.frames[to_size(model.frame_index(support.frame))];
-    Eigen::Isometry3d in_body = frame.placement;
-    std::string shape = R"(type="sphere" size=")" + numbers(support.radius) + "\"";
-    if (support.is_sole()) {
-      in_body.translation() += half_thickness * in_body.linear().col(2);
-      shape =
-          R"(type="box" size=")" + numbers(support.half_x, support.half_y, half_thickness) + "\"";
-    }
-    to.bodies[frame.body] +=
-        "<geom name=\"" + support_name(i) + "\" " + shape + pose_attributes(in_body) + collision;
-  }
+/// Returns MuJoCo's geom of the part of the robot, without name and collision.
+std::string part_of(const Model& model, const TouchSpec& touch) {
+  constexpr double half_thickness = 0.01;  // of a rectangle, m
+  Eigen::Isometry3d in_body = model.frames[to_size(model.frame_index(touch.frame))].placement;
+  if (!touch.is_rectangle())
+    return "type=\"sphere\"" + pose_attributes(in_body) + " size=\"" + numbers(touch.radius) + "\"";
+  in_body.translation() += half_thickness * in_body.linear().col(2);
+  return "type=\"box\"" + pose_attributes(in_body) + " size=\"" +
+         numbers(touch.half_x, touch.half_y, half_thickness) + "\"";
 }
 
-/// Adds the surface and the tip, which collide only with each other.
-void add_tip(const Model& model, const SceneSpec& scene, bool collides, Additions& to) {
-  const SurfaceSpec& surface = scene.surface;
-  const Frame& tip = model.frames[to_size(model.frame_index(scene.tip.frame))];
+/// Adds a touch and its surface. They collide only with each other, by their own collision bit, and
+/// only if MuJoCo computes the contact.
+void add_touch(const Model& model, const TouchSpec& touch, std::size_t i, bool collides,
+               Additions& to) {
+  const SurfaceSpec& surface = touch.surface;
+  const std::string bit = collides ? std::to_string(1U << i) : "0";
   const std::string common = " condim=\"" + std::string(surface.friction > 0.0 ? "3" : "1") +
-                             "\" friction=\"" + numbers(surface.friction, 0.0, 0.0) + "\"";
+                             "\" friction=\"" + numbers(surface.friction, 0.0, 0.0) +
+                             "\" contype=\"" + bit + "\" conaffinity=\"" + bit + "\"/>\n";
   const double side = std::isinf(surface.extent) ? surface.half_size : surface.extent;
-  const Frame* const carrier =
-      surface.frame.empty() ? nullptr : &model.frames[to_size(model.frame_index(surface.frame))];
-  std::string& holder = carrier == nullptr ? to.world : to.bodies[carrier->body];
+  const auto frame_of = [&](const std::string& name) -> const Frame& {
+    return model.frames[to_size(model.frame_index(name))];
+  };
+  const bool carried = !surface.frame.empty();
+  std::string& holder = carried ? to.bodies[frame_of(surface.frame).body] : to.world;
   const Eigen::Isometry3d place =
-      carrier == nullptr ? Eigen::Isometry3d::Identity() : carrier->placement;
-  holder += "<geom name=\"surface\" " + geom_of(surface, side, place) + common +
-            (collides ? " contype=\"2\"" : " contype=\"0\"") +
-            (collides ? " conaffinity=\"1\"/>\n" : " conaffinity=\"0\"/>\n");
-  to.bodies[tip.body] += R"(<geom name="tip" type="sphere")" + pose_attributes(tip.placement) +
-                         " size=\"" + numbers(scene.tip.radius) + "\"" + common +
-                         " contype=\"1\" conaffinity=\"2\"/>\n";
+      carried ? frame_of(surface.frame).placement : Eigen::Isometry3d::Identity();
+  holder +=
+      "<geom name=\"" + touch_name(i) + "_surface\" " + geom_of(surface, side, place) + common;
+  to.bodies[frame_of(touch.frame).body] +=
+      "<geom name=\"" + touch_name(i) + "\" " + part_of(model, touch) + common;
 }
 
-/// Returns the surface, the tip, the supports, followers and loops as additions to the robot's
-/// text.
+void add_touches(const Model& model, const SceneSpec& scene, bool own_contact, Additions& to) {
+  constexpr std::size_t bits = 31;  // of MuJoCo's collision masks
+  if (scene.touches.size() > bits)
+    throw Error("the scene has " + std::to_string(scene.touches.size()) +
+                " touches; wanted at most " + std::to_string(bits) + " for MuJoCo");
+  for (std::size_t i = 0; i < scene.touches.size(); ++i)
+    add_touch(model, scene.touches[i], i, own_contact || scene.touches[i].is_support, to);
+}
+
+/// Returns the touches with their surfaces, followers and loops as additions to the robot's text.
 Additions additions_for(const Model& model, const SceneSpec& scene,
                         const MujocoPlantOptions& options) {
   Additions result;
@@ -190,10 +180,9 @@ Additions additions_for(const Model& model, const SceneSpec& scene,
                    "\" impratio=\"" + numbers(options.friction_ratio) + "\" tolerance=\"" +
                    numbers(options.tolerance) + "\" iterations=\"" +
                    std::to_string(options.max_iterations) + "\"";
-  if (scene.tip.exists()) add_tip(model, scene, options.contact == MujocoContact::Engine, result);
-  add_supports(model, scene, result);
+  add_touches(model, scene, options.contact == MujocoContact::Engine, result);
   // Upper bound of the number of constraint rows: friction, limits, followers, loops and contacts.
-  const std::size_t contacts = 8 + 4 * scene.supports.size();
+  const std::size_t contacts = 8 + 4 * scene.touches.size();
   const auto rows =
       4 * to_size(model.nv) + model.joints.size() + 9 * model.loops.size() + 5 * contacts;
   result.sections = "<size njmax=\"" + std::to_string(rows) + "\" nconmax=\"" +
@@ -211,12 +200,11 @@ Additions additions_for(const Model& model, const SceneSpec& scene,
 
 /// Sets the stiffness [N/m] and the damping [Ns/m] of a contact on both geoms. `d` is the
 /// impedance, in (0, 1).
-void load_contact(double stiffness, double damping, mjtNum d, mjModel& m, int plane_geom,
-                  int tip_geom) {
-  const double inverse_inertia = m.body_invweight0[2 * m.geom_bodyid[tip_geom]] +
-                                 m.body_invweight0[2 * m.geom_bodyid[plane_geom]];
+void load_contact(double stiffness, double damping, mjtNum d, mjModel& m, const TouchIds& touch) {
+  const double inverse_inertia =
+      m.body_invweight0[2 * touch.body] + m.body_invweight0[2 * m.geom_bodyid[touch.surface_geom]];
   const double R = (1.0 - d) / d * inverse_inertia;
-  for (const int geom : {plane_geom, tip_geom}) {
+  for (const int geom : {touch.surface_geom, touch.geom}) {
     mjtNum* solref = m.geom_solref + mjNREF * geom;
     solref[0] = -stiffness * R * d;
     solref[1] = -damping * R * d;
@@ -261,6 +249,18 @@ int site_id(const Model& robot, const mjModel& m, const std::string& frame) {
   return mj_name2id(&m, mjOBJ_SITE, site_name(robot.frame_index(frame)).c_str());
 }
 
+std::vector<TouchIds> ids_of(const Model& robot, const SceneSpec& scene, const mjModel& m) {
+  std::vector<TouchIds> result;
+  for (std::size_t i = 0; i < scene.touches.size(); ++i) {
+    const TouchSpec& touch = scene.touches[i];
+    const int geom = mj_name2id(&m, mjOBJ_GEOM, touch_name(i).c_str());
+    result.push_back({geom, m.geom_bodyid[geom],
+                      mj_name2id(&m, mjOBJ_GEOM, (touch_name(i) + "_surface").c_str()),
+                      site_id(robot, m, touch.frame), site_id(robot, m, touch.surface.frame)});
+  }
+  return result;
+}
+
 }  // namespace
 
 Engine::Engine(const Model& robot, const SceneSpec& wanted, const MujocoPlantOptions& options)
@@ -269,32 +269,20 @@ Engine::Engine(const Model& robot, const SceneSpec& wanted, const MujocoPlantOpt
       m((check(options), compile(describe(robot, additions_for(robot, scene, options))))),
       d(mj_makeData(m.get())),
       coordinates(robot, *m),
-      tip_geom(mj_name2id(m.get(), mjOBJ_GEOM, "tip")),
-      surface_geom(mj_name2id(m.get(), mjOBJ_GEOM, "surface")),
-      tip_site(site_id(robot, *m, scene.tip.frame)),
-      tip_body(tip_geom < 0 ? -1 : m->geom_bodyid[tip_geom]),
-      surface_site(site_id(robot, *m, scene.surface.frame)),
+      touches(ids_of(robot, scene, *m)),
       own_contact(options.contact == MujocoContact::Engine) {
-  if (own_contact && has_tip()) check_engine_supports(scene.surface);
   load_figures(model, *m, *d);
   load_joint_friction(model, coordinates, *m);
   load_loops(model, load_followers(*m), *m);
-  if (has_tip())
-    load_contact(scene.surface.stiffness, scene.surface.damping, options.impedance, *m,
-                 surface_geom, tip_geom);
-  for (std::size_t i = 0; i < scene.supports.size(); ++i) {
-    const SupportSpec& support = scene.supports[i];
-    const auto id = [&](int kind, const std::string& name) {
-      return mj_name2id(m.get(), kind, name.c_str());
-    };
-    supports.push_back({id(mjOBJ_GEOM, support_name(i)), id(mjOBJ_GEOM, support_name(i) + "_plane"),
-                        id(mjOBJ_SITE, site_name(robot.frame_index(support.frame)))});
-    const double corners = support.is_sole() ? 4.0 : 1.0;  // contact points of the foot
+  for (std::size_t i = 0; i < touches.size(); ++i) {
+    const TouchSpec& touch = scene.touches[i];
+    if (own_contact) check_engine_supports(touch.surface);
+    const double corners = touch.is_rectangle() ? 4.0 : 1.0;  // contact points
     // The damping of a foot is stiff and needs implicit steps, because the foot is light compared
     // with its load. An impedance closer to 1 makes MuJoCo's steps more implicit. Chosen by hand.
-    constexpr double impedance = 0.95;
-    load_contact(support.stiffness / corners, support.damping / corners, impedance, *m,
-                 supports.back().plane, supports.back().geom);
+    constexpr double support_impedance = 0.95;
+    load_contact(touch.surface.stiffness / corners, touch.surface.damping / corners,
+                 touch.is_support ? support_impedance : options.impedance, *m, touches[i]);
   }
 }
 
@@ -309,31 +297,37 @@ void Engine::stiffen_equalities() const {
 }
 
 /// MuJoCo's planes are infinite, so collisions beside the surface are switched off.
-void Engine::update_surface_extent(bool in_contact) const {
-  if (std::isinf(scene.surface.extent) || !own_contact || !has_tip()) return;
-  mj_kinematics(m.get(), d.get());
-  const Eigen::Map<const Eigen::Vector3d> tip(d->site_xpos + 3 * tip_site);
-  const bool over = is_over(scene, tip, in_contact);
-  m->geom_contype[surface_geom] = over ? 2 : 0;
-  m->geom_conaffinity[surface_geom] = over ? 1 : 0;
+void Engine::update_surface_extents(const Wrenches& wrenches) const {
+  if (!own_contact) return;
+  bool placed = false;
+  for (std::size_t i = 0; i < touches.size(); ++i) {
+    if (std::isinf(scene.touches[i].surface.extent)) continue;
+    if (!placed) mj_kinematics(m.get(), d.get());
+    placed = true;
+    const Eigen::Map<const Eigen::Vector3d> tip(d->site_xpos + 3 * touches[i].site);
+    const bool in_contact = !wrenches.col(static_cast<Eigen::Index>(i)).isZero(0.0);
+    const int bit = is_over(scene.touches[i], tip, in_contact) ? 1 << i : 0;
+    m->geom_contype[touches[i].surface_geom] = m->geom_conaffinity[touches[i].surface_geom] = bit;
+  }
 }
 
 void Engine::update_ground_friction(double time) const noexcept {
   if (scene.slippery_ground.empty()) return;
-  for (std::size_t i = 0; i < supports.size(); ++i)
-    for (const int geom : {supports[i].geom, supports[i].plane})
-      m->geom_friction[3 * geom] = friction_under(scene, scene.supports[i], time);
+  for (std::size_t i = 0; i < touches.size(); ++i)
+    for (const int geom : {touches[i].geom, touches[i].surface_geom})
+      if (scene.touches[i].is_support)
+        m->geom_friction[3 * geom] = friction_under(scene, scene.touches[i], time);
 }
 
-Eigen::Matrix<double, 6, 1> Engine::support_wrench(const Support& support) const {
+Vector6 Engine::contact_wrench(const TouchIds& touch) const {
   using Vector3 = Eigen::Map<const Eigen::Vector3d>;
-  const Vector3 origin(d->site_xpos + 3 * support.site);
-  const Eigen::Map<const Eigen::Matrix<double, 3, 3, Eigen::RowMajor>> axes(d->site_xmat +
-                                                                            9 * support.site);
-  Eigen::Matrix<double, 6, 1> sum = Eigen::Matrix<double, 6, 1>::Zero();
+  const Vector3 origin(d->site_xpos + 3 * touch.site);
+  const AxesMap axes = axes_of(touch);
+  Vector6 sum = Vector6::Zero();
+  // MuJoCo orders the two geoms of a contact by type, and reports the force on geom2.
   for (int i = 0; i < d->ncon; ++i) {
     const mjContact& contact = d->contact[i];
-    const bool second = contact.geom2 == support.geom, first = contact.geom1 == support.geom;
+    const bool second = contact.geom2 == touch.geom, first = contact.geom1 == touch.geom;
     if (!first && !second) continue;
     mjtNum wrench[6], force[3];
     mj_contactForce(m.get(), d.get(), i, wrench);
@@ -341,23 +335,6 @@ Eigen::Matrix<double, 6, 1> Engine::support_wrench(const Support& support) const
     const Eigen::Vector3d f_world = (second ? 1.0 : -1.0) * Vector3(force);
     sum.head<3>() += axes.transpose() * f_world;
     sum.tail<3>() += axes.transpose() * (Vector3(contact.pos) - origin).cross(f_world);
-  }
-  return sum;
-}
-
-Eigen::Vector3d Engine::contact_force_world() const {
-  Eigen::Vector3d sum = Eigen::Vector3d::Zero();
-  if (!has_tip()) return sum;
-  // MuJoCo orders the two geoms of a contact by type, and reports the force on geom2.
-  for (int i = 0; i < d->ncon; ++i) {
-    const mjContact& contact = d->contact[i];
-    const bool second = contact.geom2 == tip_geom && contact.geom1 == surface_geom;
-    const bool first = contact.geom1 == tip_geom && contact.geom2 == surface_geom;
-    if (!first && !second) continue;
-    mjtNum wrench[6], force[3];
-    mj_contactForce(m.get(), d.get(), i, wrench);
-    mju_rotVecMatT(force, wrench, contact.frame);  // rows of the frame are its axes
-    sum += (second ? 1.0 : -1.0) * Eigen::Map<const Eigen::Vector3d>(force);
   }
   return sum;
 }

@@ -1,16 +1,18 @@
-// MuJoCo's model and data for a robot, a tip, a surface and supports.
+// MuJoCo's model and data for a robot and the touches of its scene.
 #pragma once
 
+#include "burnish/base/views.hpp"
 #include "burnish/mujoco/mujoco_plant.hpp"
 #include "mujoco/mujoco_coordinates.hpp"
 #include "mujoco/mujoco_description.hpp"
 
 namespace burnish::mujoco {
 
-/// MuJoCo's ids of a support: the geom of the foot, the geom of the plane below it, and the site at
-/// which wrenches are computed.
-struct Support {
-  int geom, plane, site;
+/// MuJoCo's ids of a touch: geom and body of the part of the robot, geom of its surface, site of
+/// the touch's frame, and site of the frame that carries the surface (-1: the surface is in the
+/// world).
+struct TouchIds {
+  int geom, body, surface_geom, site, surface_site;
 };
 
 /// MuJoCo model of make_mujoco_plant(), with public members for tests.
@@ -22,32 +24,32 @@ struct Engine {
   ModelPointer m;
   DataPointer d;
   Coordinates coordinates;
-  int tip_geom, surface_geom, tip_site, tip_body;  ///< -1 if the robot has no tool
-  int surface_site;               ///< Site of the frame that carries the surface; -1: none
-  std::vector<Support> supports;  ///< Supports of the scene, in its order
-  bool own_contact;               ///< Whether the contact is MujocoContact::Engine
+  std::vector<TouchIds> touches;  ///< Touches of the scene, in its order
+  bool own_contact;               ///< Whether MuJoCo computes the contact of tools, too
 
-  bool has_tip() const { return tip_geom >= 0; }
+  /// Returns whether MuJoCo computes the contact of a touch.
+  bool computes(const TouchSpec& touch) const { return own_contact || touch.is_support; }
 
   /// Stiffens the equality constraints of followers and loops, so that their error is 1e-8 of the
   /// acceleration. Must be called between mj_fwdPosition() and mj_fwdConstraint().
   void stiffen_equalities() const;
 
-  /// Lets tip and surface collide only if there is surface under the tip, at the configuration in
-  /// `d`. `in_contact` tells whether they touched in the previous step. Must be called before
-  /// mj_fwdPosition().
-  void update_surface_extent(bool in_contact) const;
+  /// Lets tools and their surfaces collide only if there is surface under the tool, at the
+  /// configuration in `d`. `wrenches` are those of the previous step, 6 x touches. Must be called
+  /// before mj_fwdPosition().
+  void update_surface_extents(const Wrenches& wrenches) const;
 
   /// Sets the friction of every support at a time [s], if the scene has slippery ground. Must be
   /// called before mj_fwdPosition().
   void update_ground_friction(double time) const noexcept;
 
-  /// Returns the force of the surface on the tip at the last mj_fwdConstraint(), in world axes [N].
-  Eigen::Vector3d contact_force_world() const;
+  using AxesMap = Eigen::Map<const Eigen::Matrix<double, 3, 3, Eigen::RowMajor>>;
+  /// Returns the axes of the touch's frame in world axes, at the last mj_fwdPosition().
+  AxesMap axes_of(const TouchIds& touch) const { return AxesMap(d->site_xmat + 9 * touch.site); }
 
-  /// Returns the wrench of the plane on a support at the last mj_fwdConstraint(): force [N] and
-  /// moment [Nm] at the origin of the support's frame, in the frame's axes.
-  Eigen::Matrix<double, 6, 1> support_wrench(const Support& support) const;
+  /// Returns the wrench that MuJoCo's contacts exert on a touch at the last mj_fwdConstraint():
+  /// force [N] and moment [Nm] about the origin of the touch's frame, in the axes of this frame.
+  Vector6 contact_wrench(const TouchIds& touch) const;
 };
 
 }  // namespace burnish::mujoco

@@ -2,7 +2,9 @@
 
 #include <algorithm>
 #include <cmath>
+#include <map>
 
+#include "base/to_size.hpp"
 #include "dynamics/springs.hpp"
 #include "model/mass_check.hpp"
 #include "mujoco/exact_contact.hpp"
@@ -23,13 +25,9 @@ bool usable(const mjtNum* x, int n) {
 }
 
 class MujocoPlant final : public Plant {
-  using Wrenches = Eigen::Matrix<double, 6, Eigen::Dynamic>;
-
  public:
   MujocoPlant(const Model& model, const SceneSpec& scene, const MujocoPlantOptions& options)
       : engine_(model, scene, options),
-        exact_(engine_.scene, *engine_.m, engine_.tip_site, engine_.tip_body, engine_.surface_site),
-        is_exact_(options.contact == MujocoContact::Exact && engine_.has_tip()),
         q_(model.q_neutral),
         v_(Eigen::VectorXd::Zero(model.nv)),
         friction_(Eigen::VectorXd::Zero(model.nv)),
@@ -37,8 +35,12 @@ class MujocoPlant final : public Plant {
         spring_torque_(friction_),
         total_(friction_),
         theirs_(Eigen::VectorXd::Zero(engine_.m->nv)),
-        supports_(Wrenches::Zero(6, static_cast<Eigen::Index>(engine_.supports.size()))),
+        wrenches_(Wrenches::Zero(6, static_cast<Eigen::Index>(engine_.touches.size()))),
         before_(Eigen::VectorXd::Zero(moment_size())) {
+    for (std::size_t i = 0; i < engine_.touches.size(); ++i)
+      if (const TouchSpec& touch = engine_.scene.touches[i]; !engine_.computes(touch))
+        exact_.emplace(static_cast<Eigen::Index>(i),
+                       ExactContact(touch, engine_.touches[i], *engine_.m));
     start(q_, v_);
   }
 
@@ -48,38 +50,34 @@ class MujocoPlant final : public Plant {
   double time() const override { return static_cast<double>(steps_) * dt(); }
   const Eigen::VectorXd& q() const override { return q_; }
   const Eigen::VectorXd& v() const override { return v_; }
-  const Eigen::Vector3d& contact_force_world() const override { return force_; }
-  bool in_contact() const override { return in_contact_; }
   const Eigen::VectorXd& friction_torque() const override { return friction_; }
-  const Wrenches& support_wrenches() const override { return supports_; }
+  const Wrenches& wrenches() const override { return wrenches_; }
 
   Status reset(const ConstVectorRef& q, const ConstVectorRef& v) noexcept override;
-  Status step(const ConstVectorRef& tau, const Eigen::Vector3d& push_world) noexcept override;
+  Status step(const ConstVectorRef& tau) noexcept override;
   void save(PlantSnapshot& snapshot) const override;
   Status restore(const PlantSnapshot& snapshot) noexcept override;
 
  private:
   void start(const ConstVectorRef& q, const ConstVectorRef& v);
-  void load_forces(const ConstVectorRef& tau, const Eigen::Vector3d& push_world);
+  void load_forces(const ConstVectorRef& tau);
+  void apply_exact_contacts();
   void read();
   void store_moment(double* to) const;
   void load_moment(const double* from) const;
   int moment_size() const { return engine_.m->nq + 3 * engine_.m->nv; }
-  int readings_size() const { return 5 + engine_.model.nv + static_cast<int>(supports_.size()); }
+  int readings_size() const { return 1 + engine_.model.nv + static_cast<int>(wrenches_.size()); }
 
   Engine engine_;
-  ExactContact exact_;
-  bool is_exact_;
+  std::map<Eigen::Index, ExactContact> exact_;  ///< Touches that MuJoCo does not compute
   long steps_ = 0;
   Eigen::VectorXd q_, v_;
-  Eigen::Vector3d force_ = Eigen::Vector3d::Zero();
-  bool in_contact_ = false;
   Eigen::VectorXd friction_;
   Springs springs_;
   Eigen::VectorXd spring_torque_;  ///< Torques of springs at the start of the step [Nm or N]
   Eigen::VectorXd total_;          ///< Torques of motors and springs [Nm or N]
   Eigen::VectorXd theirs_;         ///< Friction in MuJoCo's entries
-  Wrenches supports_;
+  Wrenches wrenches_;
   Eigen::VectorXd before_;  ///< State of MuJoCo before a step, see store_moment()
 };
 
@@ -89,10 +87,8 @@ void MujocoPlant::start(const ConstVectorRef& q, const ConstVectorRef& v) {
   q_ = q;
   v_ = v;
   steps_ = 0;
-  force_.setZero();
-  in_contact_ = false;
   friction_.setZero();
-  supports_.setZero();
+  wrenches_.setZero();
 }
 
 Status MujocoPlant::reset(const ConstVectorRef& q, const ConstVectorRef& v) noexcept {
@@ -106,33 +102,27 @@ Status MujocoPlant::reset(const ConstVectorRef& q, const ConstVectorRef& v) noex
 
 /// Implements mj_step1 and mj_step2 without their checks, which write files and reset the state.
 /// Invalid numbers give a status instead.
-Status MujocoPlant::step(const ConstVectorRef& tau, const Eigen::Vector3d& push_world) noexcept {
+Status MujocoPlant::step(const ConstVectorRef& tau) noexcept {
   mjModel* m = engine_.m.get();
   mjData* d = engine_.d.get();
   if (tau.size() != engine_.model.nv) return Status::WrongSize;
-  if (!usable(tau.data(), engine_.model.nv) || !usable(push_world.data(), 3))
-    return Status::NotFinite;
+  if (!usable(tau.data(), engine_.model.nv)) return Status::NotFinite;
   store_moment(before_.data());
-  engine_.update_surface_extent(in_contact_);
+  engine_.update_surface_extents(wrenches_);
   engine_.update_ground_friction(time());
   mj_fwdPosition(m, d);
   engine_.stiffen_equalities();
   mj_fwdVelocity(m, d);
-  load_forces(tau, push_world);
+  load_forces(tau);
   mj_fwdActuation(m, d);
   mj_fwdAcceleration(m, d);
-  const Eigen::Vector3d force =
-      is_exact_ ? exact_.apply_force(*m, *d, time(), in_contact_) : Eigen::Vector3d::Zero();
+  apply_exact_contacts();
   mj_fwdConstraint(m, d);
   if (!usable(d->qacc, m->nv)) {
     load_moment(before_.data());
     return Status::NotFinite;
   }
   read();
-  if (is_exact_) {
-    force_ = force;
-    in_contact_ = !force.isZero(0.0);
-  }
   mj_Euler(m, d);
   engine_.coordinates.load(*d, q_, v_);
   if (m->neq > 0) engine_.coordinates.store(q_, v_, *d);  // exact positions of followers
@@ -140,27 +130,31 @@ Status MujocoPlant::step(const ConstVectorRef& tau, const Eigen::Vector3d& push_
   return Status::Ok;
 }
 
-/// Applies motor torques, springs and the push. Springs are computed by add_spring_torque(),
-/// because MuJoCo's own springs do not support angles on a circle.
-void MujocoPlant::load_forces(const ConstVectorRef& tau, const Eigen::Vector3d& push_world) {
-  mjData* d = engine_.d.get();
+/// Applies motor torques and springs. Springs are computed by add_spring_torque(), because MuJoCo's
+/// own springs do not support angles on a circle.
+void MujocoPlant::load_forces(const ConstVectorRef& tau) {
   spring_torque_.setZero();
   add_spring_torque(springs_, q_.data(), v_.data(), spring_torque_.data());
   total_ = tau + spring_torque_;
-  engine_.coordinates.torque_to(total_, d->qfrc_applied);
-  if (push_world.isZero(0.0) || !engine_.has_tip()) return;
-  const mjtNum torque[3] = {0.0, 0.0, 0.0};
-  mj_applyFT(engine_.m.get(), d, push_world.data(), torque, d->site_xpos + 3 * engine_.tip_site,
-             engine_.tip_body, d->qfrc_applied);
+  engine_.coordinates.torque_to(total_, engine_.d->qfrc_applied);
+}
+
+void MujocoPlant::apply_exact_contacts() {
+  for (auto& [touch, contact] : exact_) {
+    auto wrench = wrenches_.col(touch);
+    const bool touched = !wrench.isZero(0.0);
+    const Vector6 wrench_world = contact.apply_force(*engine_.m, *engine_.d, time(), touched);
+    const auto axes = engine_.axes_of(engine_.touches[to_size(touch)]);
+    wrench << axes.transpose() * wrench_world.head<3>(), axes.transpose() * wrench_world.tail<3>();
+  }
 }
 
 void MujocoPlant::read() {
   const mjModel* m = engine_.m.get();
   const mjData* d = engine_.d.get();
-  force_ = engine_.contact_force_world();
-  in_contact_ = !force_.isZero(0.0);
-  for (std::size_t i = 0; i < engine_.supports.size(); ++i)
-    supports_.col(static_cast<Eigen::Index>(i)) = engine_.support_wrench(engine_.supports[i]);
+  for (std::size_t i = 0; i < engine_.touches.size(); ++i)
+    if (engine_.computes(engine_.scene.touches[i]))
+      wrenches_.col(static_cast<Eigen::Index>(i)) = engine_.contact_wrench(engine_.touches[i]);
   theirs_ = Eigen::Map<const Eigen::VectorXd>(d->qfrc_passive, m->nv);
   for (int row = 0; row < d->nefc; ++row)
     if (d->efc_type[row] == mjCNSTR_FRICTION_DOF) theirs_[d->efc_id[row]] += d->efc_force[row];
@@ -192,10 +186,8 @@ void MujocoPlant::save(PlantSnapshot& snapshot) const {
   double* readings = snapshot.numbers.data() + moment_size();
   store_moment(snapshot.numbers.data());
   readings[0] = static_cast<double>(steps_);
-  mju_copy3(readings + 1, force_.data());
-  readings[4] = in_contact_ ? 1.0 : 0.0;
-  mju_copy(readings + 5, friction_.data(), static_cast<int>(friction_.size()));
-  mju_copy(readings + 5 + friction_.size(), supports_.data(), static_cast<int>(supports_.size()));
+  mju_copy(readings + 1, friction_.data(), static_cast<int>(friction_.size()));
+  mju_copy(readings + 1 + friction_.size(), wrenches_.data(), static_cast<int>(wrenches_.size()));
 }
 
 Status MujocoPlant::restore(const PlantSnapshot& snapshot) noexcept {
@@ -203,10 +195,8 @@ Status MujocoPlant::restore(const PlantSnapshot& snapshot) noexcept {
   const double* readings = snapshot.numbers.data() + moment_size();
   load_moment(snapshot.numbers.data());
   steps_ = std::lround(readings[0]);
-  mju_copy3(force_.data(), readings + 1);
-  in_contact_ = readings[4] != 0.0;
-  mju_copy(friction_.data(), readings + 5, static_cast<int>(friction_.size()));
-  mju_copy(supports_.data(), readings + 5 + friction_.size(), static_cast<int>(supports_.size()));
+  mju_copy(friction_.data(), readings + 1, static_cast<int>(friction_.size()));
+  mju_copy(wrenches_.data(), readings + 1 + friction_.size(), static_cast<int>(wrenches_.size()));
   engine_.coordinates.load(*engine_.d, q_, v_);
   return Status::Ok;
 }

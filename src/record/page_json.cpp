@@ -112,14 +112,14 @@ void add_scene(Json& json, const RunPage& run) {
 /// Adds the supports of a robot and the pushes on it, if there are any.
 void add_supports(Json& json, const RunPage& run) {
   if (!run.supports.empty())
-    json["supports"] = list_json(run.supports, [](const SupportSpec& support) {
+    json["supports"] = list_json(run.supports, [](const TouchSpec& support) {
       return Json{{"frame", support.frame},
                   {"half_x", number_json(support.half_x)},
                   {"half_y", number_json(support.half_y)},
                   {"radius", number_json(support.radius)},
-                  {"point", numbers_json(support.point)},
-                  {"normal", numbers_json(support.normal.normalized())},
-                  {"friction", number_json(support.friction)}};
+                  {"point", numbers_json(support.surface.point)},
+                  {"normal", numbers_json(support.surface.normal.normalized())},
+                  {"friction", number_json(support.surface.friction)}};
     });
   if (!run.pushes.empty())
     json["pushes"] = list_json(run.pushes, [](const Push& push) {

@@ -44,9 +44,11 @@ struct FootLoad {
 class FootRows {
  public:
   /// Throws Error for a missing column, an unknown frame or a normal of length zero.
-  FootRows(const Trace& trace, const RigidBody& body, const SupportSpec& support);
-  const SupportSpec& support() const { return support_; }
-  const Eigen::Vector3d& normal() const { return support_.normal; }  ///< Unit normal, world axes
+  FootRows(const Trace& trace, const RigidBody& body, const TouchSpec& support);
+  const TouchSpec& support() const { return support_; }
+  const Eigen::Vector3d& normal() const {
+    return support_.surface.normal;
+  }  ///< Unit normal, world axes
   /// Returns the load in a row, for the placement `foot` of the foot's frame in the world.
   FootLoad load(int row, const Eigen::Isometry3d& foot) const;
   Eigen::Isometry3d placement(const RigidBody& body) const { return body.placement(frame_); }
@@ -60,7 +62,7 @@ class FootRows {
 
  private:
   const Trace* trace_;
-  SupportSpec support_;
+  TouchSpec support_;
   int frame_;
   std::array<int, 6> columns_;
 };

@@ -194,7 +194,7 @@ void add_standing(PageFiller& fill, const RunPage& page, const Trace& trace) {
   StateRows states(trace, page.plant_model.value_or(page.robot.model));
   const RigidBody& body = states.body();
   std::vector<FootRows> feet;
-  for (const SupportSpec& support : page.supports) feet.emplace_back(trace, body, support);
+  for (const TouchSpec& support : page.supports) feet.emplace_back(trace, body, support);
   const std::vector<int>& rows = fill.rows();
   const auto count = static_cast<Eigen::Index>(rows.size());
   // NaN marks rows without a valid state, and friction and pressure of feet without a load.
@@ -212,7 +212,7 @@ void add_standing(PageFiller& fill, const RunPage& page, const Trace& trace) {
       values(i, column) = load.normal;
       if (load.normal >= min_pressure_load) {
         values(i, column + 1) = foot.friction_used(load);
-        if (foot.support().is_sole()) values(i, column + 2) = foot.margin(load);
+        if (foot.support().is_rectangle()) values(i, column + 2) = foot.margin(load);
       }
       column += 3;
     }
@@ -230,13 +230,14 @@ void add_standing(PageFiller& fill, const RunPage& page, const Trace& trace) {
   for (Eigen::Index k = 0; k < standing_columns; ++k)
     fill.add_chosen(names[k], units[k / 3], values.col(k));
   Eigen::Index column = standing_columns;
-  for (const SupportSpec& support : page.supports) {
+  for (const TouchSpec& support : page.supports) {
     const std::string name = "support_" + support.frame + "_";
     for (const char* entry : {"fx", "fy", "fz", "mx", "my", "mz"})
       fill.copy(name + entry, name + entry);
     fill.add_chosen(name + "load", "N", values.col(column));
     fill.add_chosen(name + "friction_used", "-", values.col(column + 1));
-    if (support.is_sole()) fill.add_chosen(name + "pressure_margin", "m", values.col(column + 2));
+    if (support.is_rectangle())
+      fill.add_chosen(name + "pressure_margin", "m", values.col(column + 2));
     column += 3;
   }
 }

@@ -149,9 +149,9 @@ struct RunPage {
   std::optional<PlanRecord> plans = {};
   /// Model of the robot in the plant, for its momenta; none: `robot`
   std::optional<Model> plant_model = {};
-  std::vector<SupportSpec> supports = {};  ///< Supports of a standing robot in the plant
-  std::vector<Push> pushes = {};           ///< Pushes; each names its frame
-  std::optional<PagePlan> plan = {};       ///< Set for a planned motion that was not run
+  std::vector<TouchSpec> supports = {};  ///< Supports of a standing robot in the plant
+  std::vector<Push> pushes = {};         ///< Pushes; each names its frame
+  std::optional<PagePlan> plan = {};     ///< Set for a planned motion that was not run
 };
 
 /// Maximum size of a page.

@@ -34,7 +34,7 @@ class FootWatch {
     figures.min_load = std::min(figures.min_load, load.normal);
     if (!(load.normal >= min_pressure_load)) return;
     figures.friction_used = std::max(figures.friction_used, rows_.friction_used(load));
-    if (rows_.support().is_sole())
+    if (rows_.support().is_rectangle())
       figures.pressure_margin =
           std::min(figures.pressure_margin.value_or(std::numeric_limits<double>::infinity()),
                    rows_.margin(load));
@@ -58,7 +58,7 @@ int base_frame(const Model& model, const RigidBody& body) {
 }  // namespace
 
 StandingFigures measure_standing(const Trace& trace, const Model& model,
-                                 const std::vector<SupportSpec>& supports) {
+                                 const std::vector<TouchSpec>& supports) {
   if (trace.rows() == 0) throw Error("the trace has no rows; wanted a run");
   if (supports.empty())
     throw Error("there are no supports; wanted at least one, on which the robot stands");
@@ -69,7 +69,7 @@ StandingFigures measure_standing(const Trace& trace, const Model& model,
     throw Error("the first row of the trace is not a valid state: " +
                 std::string(describe(status)));
   std::vector<FootRows> feet;
-  for (const SupportSpec& support : supports) feet.emplace_back(trace, body, support);
+  for (const TouchSpec& support : supports) feet.emplace_back(trace, body, support);
   std::vector<FootWatch> watches;
   for (const FootRows& foot : feet) watches.emplace_back(foot, body);
   const int base = base_frame(model, body);

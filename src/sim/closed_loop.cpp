@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <cmath>
 #include <functional>
+#include <limits>
 #include <utility>
 
 #include "base/decomposition.hpp"
@@ -12,6 +13,7 @@
 #include "burnish/derivatives/contact_dynamics.hpp"
 #include "burnish/derivatives/rigid_body.hpp"
 #include "model/joint_entries.hpp"
+#include "sim/traced_tool.hpp"
 
 namespace burnish {
 namespace {
@@ -57,19 +59,12 @@ std::vector<TraceColumn> entries_of_v(const Model& model, const std::string& wha
   return columns;
 }
 
-std::vector<TraceColumn> wrenches_on(const std::vector<SupportSpec>& supports) {
+std::vector<TraceColumn> wrench_on(const std::string& support) {
   std::vector<TraceColumn> columns;
-  for (const SupportSpec& support : supports)
-    for (const auto& [entry, unit] :
-         {std::pair("fx", "N"), {"fy", "N"}, {"fz", "N"}, {"mx", "Nm"}, {"my", "Nm"}, {"mz", "Nm"}})
-      columns.push_back({"support_" + support.frame + "_" + entry, unit});
+  for (const auto& [entry, unit] :
+       {std::pair("fx", "N"), {"fy", "N"}, {"fz", "N"}, {"mx", "Nm"}, {"my", "Nm"}, {"mz", "Nm"}})
+    columns.push_back({"support_" + support + "_" + entry, unit});
   return columns;
-}
-
-/// Returns the rotation vector of a rotation matrix [rad].
-Eigen::Vector3d vector_of(const Eigen::Matrix3d& R) {
-  const Eigen::AngleAxisd turn(R);
-  return turn.angle() * turn.axis();
 }
 
 using Matrix6 = Eigen::Matrix<double, 6, 6>;
@@ -140,8 +135,18 @@ class Row {
   double* at_;
 };
 
-int sensed_supports(const Plant& plant, const ClosedLoopOptions& options) {
-  return options.support_sensors ? static_cast<int>(plant.scene().supports.size()) : 0;
+/// Returns the frames of the columns of Measurement::wrenches. Throws Error for a touch that the
+/// scene does not have.
+std::vector<std::string> measured_touches(const Controller& controller, const SceneSpec& scene) {
+  std::vector<std::string> all;
+  for (const TouchSpec& touch : scene.touches) all.push_back(touch.frame);
+  std::vector<std::string> wanted = controller.touches().value_or(all);
+  for (const std::string& frame : wanted)
+    if (std::find(all.begin(), all.end(), frame) == all.end())
+      throw Error("the controller reads the wrench at " + in_quotes(frame) +
+                  ", which is not a touch of the plant's scene" +
+                  (all.empty() ? "; the scene has no touches" : did_you_mean(frame, all)));
+  return wanted;
 }
 
 }  // namespace
@@ -155,26 +160,24 @@ struct ClosedLoop::Impl {
         record_every(chosen.record_every),
         ticks(steps_per_tick(chosen.control_period, driven.dt())),
         actuation(driven.model(), disturbances, driven.dt()),
-        sensing(driven.model(), disturbances, sensed_supports(driven, chosen),
-                chosen.control_period),
+        touches(measured_touches(driver, driven.scene())),
+        sensing(driven.model(), disturbances, driven.scene(), touches, chosen.control_period),
         body(driven.model()),
-        tip(driven.scene().tip.exists() ? body.frame(driven.scene().tip.frame) : -1),
-        carrier(driven.scene().surface.frame.empty() ? -1
-                                                     : body.frame(driven.scene().surface.frame)),
+        tools(tools_of(driven.scene())),
         hoist(driven.scene().hoist),
         hung(hoist.holds() ? body.frame(hoist.frame) : -1),
         total(Eigen::VectorXd::Zero(driven.model().nv)),
-        signals(signals_of(driven.model(), driven.scene())),
+        signals(signals_of(driven.model())),
         trace(columns_of(signals), rows_for(chosen, driven.dt())) {
     measurement.q = driven.model().q_neutral;
     measurement.v = measurement.tau = Eigen::VectorXd::Zero(driven.model().nv);
     command.tau = measurement.v;
-    measurement.support_wrenches.setZero(6, sensed_supports(driven, chosen));
+    measurement.wrenches.setZero(6, static_cast<Eigen::Index>(touches.size()));
     for (const Push& push : pushes) {
-      if (push.frame.empty() && tip < 0)
+      if (push.frame.empty() && tools.empty())
         throw Error("a push at " + number(push.start) +
                     " s states no frame, and the robot has no tool; wanted the push's frame");
-      pushed.push_back(push.frame.empty() ? tip : body.frame(push.frame));
+      pushed.push_back(push.frame.empty() ? tools.front().frame : body.frame(push.frame));
     }
     // Allocates here, because steps must not allocate.
     for (const int frame : pushed) body.frame_derivatives(frame, Reference::centered(), motion);
@@ -188,19 +191,18 @@ struct ClosedLoop::Impl {
     std::function<void(const Impl& loop, Row& row)> put;
     bool is_of_step = false;  ///< True for values of a whole step, false for values at its start.
   };
-  static std::vector<Signal> signals_of(const Model& model, const SceneSpec& scene);
+  std::vector<TracedTool> tools_of(const SceneSpec& scene) const;
+  std::vector<Signal> signals_of(const Model& model) const;
+  template <class Add>
+  void add_tool_signals(std::size_t tool, bool is_of_step, const Add& add) const;
   template <class Add>
   static void add_plan_signals(const Add& add);
   static std::vector<TraceColumn> columns_of(const std::vector<Signal>& signals);
   void record(Row& row, bool of_step) const noexcept;
-  Eigen::Vector3d normal_world() const noexcept;
   Eigen::Vector3d sum_of_pushes() const noexcept;
-  void place_tool() noexcept;
+  void place_tools() noexcept;
   void hang();
   void add_hoist(double fraction) noexcept;
-  void place_surface() noexcept {
-    if (carrier >= 0) surface_world = body.placement(carrier);
-  }
   const Eigen::VectorXd& with_pushes(const Eigen::VectorXd& tau) noexcept;
 
   Plant* plant;
@@ -208,12 +210,12 @@ struct ClosedLoop::Impl {
   std::vector<Push> pushes;
   int record_every, ticks;
   Actuation actuation;
+  std::vector<std::string> touches;  ///< Frames of the columns of Measurement::wrenches.
   Sensing sensing;
   std::optional<EstimatedBase> estimated;
   RigidBody body;
-  int tip;                  ///< Frame of the tip; -1: the robot has no tool
-  int carrier;              ///< Frame that carries the surface; -1: the world
-  std::vector<int> pushed;  ///< Frames on which pushes act
+  std::vector<TracedTool> tools;  ///< Touches that are not supports.
+  std::vector<int> pushed;        ///< Frames on which pushes act.
   FrameDerivatives motion;
   HoistSpec hoist;
   int hung;  ///< Frame that hangs on the hoist; -1: none
@@ -228,18 +230,8 @@ struct ClosedLoop::Impl {
   long steps = 0;
   Measurement measurement;
   Command command;
-  Eigen::Vector3d push_world = Eigen::Vector3d::Zero();
   Status step_status = Status::Ok;  ///< Status of the plant's last step
   bool ticked = false;              ///< Whether the controller ticked in the last step
-  /// Rotation of the tool at the start, in the axes of the surface
-  Eigen::Matrix3d start_R = Eigen::Matrix3d::Identity();
-  /// Placement of the frame that carries the surface.
-  Eigen::Isometry3d surface_world = Eigen::Isometry3d::Identity();
-  Eigen::Vector3d p_tool_world = Eigen::Vector3d::Zero();
-  Eigen::Matrix3d R_tool_world = Eigen::Matrix3d::Identity();
-  Eigen::Vector3d measured_force_world = Eigen::Vector3d::Zero();  ///< Reading at the last tick
-  /// Rotation vector of the tool since the start, in the axes of the surface [rad].
-  Eigen::Vector3d turned = Eigen::Vector3d::Zero();
 };
 
 ClosedLoop::ClosedLoop(Plant& plant, Controller& controller, const Disturbances& disturbances,
@@ -259,7 +251,7 @@ void ClosedLoop::estimate_base(const Model& nominal, const BaseEstimatorOptions&
     throw Error("ClosedLoop: the controller has a payload of " + number(mass) +
                 " kg, which the estimate of the base would lack; wanted estimate_base() first, and "
                 "then set_payload() of the loop");
-  impl_->estimated.emplace(nominal, estimator, feet);
+  impl_->estimated.emplace(nominal, estimator, feet, impl_->touches);
   impl_->sensing.mount_imu(impl_->plant->model(), estimator.imu_frame);
 }
 
@@ -279,11 +271,8 @@ Status ClosedLoop::reset(const ConstVectorRef& q, const ConstVectorRef& v) noexc
   impl_->trace.clear();
   impl_->steps = 0;
   if (impl_->body.update(impl_->plant->q(), impl_->plant->v()) == Status::Ok) {
-    impl_->place_surface();
     impl_->hang();
-    if (impl_->tip >= 0)
-      impl_->start_R =
-          impl_->surface_world.linear().transpose() * impl_->body.placement(impl_->tip).linear();
+    for (TracedTool& tool : impl_->tools) tool.start(impl_->body);
   }
   return status;
 }
@@ -292,22 +281,21 @@ Status ClosedLoop::step() noexcept {
   Impl& loop = *impl_;
   loop.ticked = loop.steps % loop.ticks == 0;
   if (loop.ticked) {
-    loop.place_tool();
+    loop.place_tools();
     const Measurement& measured = loop.sensing.measure(*loop.plant, loop.actuation.step().applied);
     loop.measurement = loop.estimated ? loop.estimated->update(measured) : measured;
-    loop.measured_force_world = loop.R_tool_world * loop.measurement.tool_wrench.head<3>();
+    for (TracedTool& tool : loop.tools) tool.measure(loop.measurement);
     loop.command = loop.controller->tick(loop.measurement);
     if (loop.steps == 0 && loop.command.tau.allFinite()) loop.actuation.reset(loop.command.tau);
   }
-  loop.push_world = push_at(loop.pushes, loop.plant->time());
   const Eigen::VectorXd& tau = loop.actuation.apply(loop.command.tau);
   double* const begin = loop.steps % loop.record_every == 0 ? loop.trace.add_row() : nullptr;
   Row row(begin);
   if (begin != nullptr) {
-    if (!loop.ticked) loop.place_tool();
+    if (!loop.ticked) loop.place_tools();
     loop.record(row, false);
   }
-  loop.step_status = loop.plant->step(loop.with_pushes(tau), loop.push_world);
+  loop.step_status = loop.plant->step(loop.with_pushes(tau));
   if (begin != nullptr) loop.record(row, true);
   ++loop.steps;
   return loop.step_status;
@@ -320,15 +308,17 @@ Status ClosedLoop::run(double duration) noexcept {
   return status;
 }
 
-void ClosedLoop::Impl::place_tool() noexcept {
+std::vector<TracedTool> ClosedLoop::Impl::tools_of(const SceneSpec& scene) const {
+  std::vector<TracedTool> result;
+  for (std::size_t i = 0; i < scene.touches.size(); ++i)
+    if (!scene.touches[i].is_support)
+      result.emplace_back(scene, static_cast<Eigen::Index>(i), body, touches);
+  return result;
+}
+
+void ClosedLoop::Impl::place_tools() noexcept {
   if (body.update(plant->q(), plant->v()) != Status::Ok) return;
-  place_surface();
-  if (tip < 0) return;
-  const Eigen::Isometry3d placement = body.placement(tip);
-  p_tool_world = placement.translation();
-  R_tool_world = placement.linear();
-  turned =
-      vector_of(start_R.transpose() * (surface_world.linear().transpose() * placement.linear()));
+  for (TracedTool& tool : tools) tool.place(body);
 }
 
 void ClosedLoop::Impl::hang() {
@@ -363,7 +353,7 @@ void ClosedLoop::Impl::add_hoist(double fraction) noexcept {
   total.noalias() += fraction * (motion.jacobian.transpose() * wrench_world);
 }
 
-/// Returns `tau` plus the torques J^T f of the hoist and of pushes on frames other than the tip.
+/// Returns `tau` plus the torques J^T f of the hoist and of pushes.
 const Eigen::VectorXd& ClosedLoop::Impl::with_pushes(const Eigen::VectorXd& tau) noexcept {
   const double now = plant->time();
   bool any = false;
@@ -374,7 +364,7 @@ const Eigen::VectorXd& ClosedLoop::Impl::with_pushes(const Eigen::VectorXd& tau)
     add_hoist(share);
   }
   for (std::size_t i = 0; i < pushes.size(); ++i) {
-    if (pushes[i].frame.empty() || !acts_at(pushes[i], now)) continue;
+    if (!acts_at(pushes[i], now)) continue;
     if (!any) {
       if (!is_usable(body.update(plant->q(), plant->v()))) return tau;
       total = tau;
@@ -401,18 +391,46 @@ void ClosedLoop::Impl::add_plan_signals(const Add& add) {
   add({{"clipped_torques", "-"}}, [](L l) { return l.command.clipped_torques; });
 }
 
+/// Adds the signals of a tool. Columns of the first tool begin with "tool", or state no tool. All
+/// columns of further tools begin with "tool_<frame>".
+template <class Add>
+void ClosedLoop::Impl::add_tool_signals(std::size_t tool, bool is_of_step, const Add& add) const {
+  using L = const Impl&;
+  const std::string& frame = plant->scene().touches[to_size(tools[tool].touch)].frame;
+  const std::string own = tool == 0 ? "tool" : "tool_" + frame;
+  const auto name = [&](const char* what) { return tool == 0 ? what : own + "_" + what; };
+  if (!is_of_step) {
+    add(axes(own, "m"), [=](L l) { return l.tools[tool].p_world; });
+    add(rotation(own, "start"), [=](L l) { return l.tools[tool].turned; });
+    add(axes(name("measured_force"), "N"), [=](L l) { return l.tools[tool].measured_force_world; });
+    return;
+  }
+  add(axes(own + "_force", "N"), [=](L l) {
+    const TracedTool& of = l.tools[tool];
+    return Eigen::Vector3d(of.R_world * l.plant->wrenches().col(of.touch).head<3>());
+  });
+  add(axes(name("surface_normal"), "-"),
+      [=](L l) { return l.tools[tool].normal_world(l.plant->time()); });
+  add({{name("in_contact"), "-"}},
+      [=](L l) { return !l.plant->wrenches().col(l.tools[tool].touch).isZero(0.0); });
+  if (tools[tool].carrier < 0) return;
+  add(axes(name("surface"), "m"),
+      [=](L l) { return Eigen::Vector3d(l.tools[tool].surface_world.translation()); });
+  add(rotation(name("surface"), "world"),
+      [=](L l) { return vector_of(l.tools[tool].surface_world.linear()); });
+}
+
 /// Returns the signals of the trace, in the order of its columns: first all values at the start of
 /// a step, then all values of the whole step.
-std::vector<ClosedLoop::Impl::Signal> ClosedLoop::Impl::signals_of(const Model& model,
-                                                                   const SceneSpec& scene) {
-  std::vector<Signal> signals;
+std::vector<ClosedLoop::Impl::Signal> ClosedLoop::Impl::signals_of(const Model& model) const {
+  std::vector<Signal> result;
   bool is_of_step = false;
   const auto add = [&](std::vector<TraceColumn> columns, const auto& get) {
     const auto put = [get](const Impl& loop, Row& row) { row.put(get(loop)); };
-    signals.push_back({std::move(columns), put, is_of_step});
+    result.push_back({std::move(columns), put, is_of_step});
   };
   const auto of_tool = [&](const std::vector<TraceColumn>& columns, const auto& get) {
-    if (scene.tip.exists()) add(columns, get);
+    if (!tools.empty()) add(columns, get);
   };
   const auto speeds = [&](const char* of) { return entries_of_v(model, of, "rad/s", "m/s"); };
   const auto torques = [&](const char* of) { return entries_of_v(model, of, "Nm", "N"); };
@@ -420,11 +438,9 @@ std::vector<ClosedLoop::Impl::Signal> ClosedLoop::Impl::signals_of(const Model& 
   add({{"time", "s"}}, [](L l) { return l.plant->time(); });
   add({{"phase", "-"}}, [](L l) { return l.command.phase; });
   add({{"status", "-"}}, [](L l) { return l.command.status; });
-  of_tool(axes("tool", "m"), [](L l) { return l.p_tool_world; });
-  of_tool(rotation("tool", "start"), [](L l) { return l.turned; });
+  for (std::size_t i = 0; i < tools.size(); ++i) add_tool_signals(i, is_of_step, add);
   add(axes("target", "m"), [](L l) { return l.command.p_target_world; });
   add({{"target_force", "N"}}, [](L l) { return l.command.target_force; });
-  of_tool(axes("measured_force", "N"), [](L l) { return l.measured_force_world; });
   of_tool(axes("estimated_force", "N"), [](L l) { return l.command.force_estimate_world; });
   add(axes("push", "N"), [](L l) { return l.sum_of_pushes(); });
   add(
@@ -444,21 +460,19 @@ std::vector<ClosedLoop::Impl::Signal> ClosedLoop::Impl::signals_of(const Model& 
   is_of_step = true;
   add(
       torques("tau_friction_"), [](L l) -> const auto& { return l.plant->friction_torque(); });
-  of_tool(axes("tool_force", "N"), [](L l) { return l.plant->contact_force_world(); });
-  of_tool(axes("surface_normal", "-"), [](L l) { return l.normal_world(); });
+  for (std::size_t i = 0; i < tools.size(); ++i) add_tool_signals(i, is_of_step, add);
   of_tool(axes("estimated_normal", "-"), [](L l) { return l.command.normal_world; });
   of_tool({{"estimated_friction", "-"}}, [](L l) { return l.command.friction; });
-  of_tool({{"in_contact", "-"}}, [](L l) { return l.plant->in_contact(); });
   add({{"plant_status", "-"}}, [](L l) { return l.step_status; });
   add({{"limited_joints", "-"}}, [](L l) { return l.actuation.step().limited; });
   add({{"held_command", "-"}}, [](L l) { return l.actuation.step().held; });
   add_plan_signals(add);
-  if (!scene.surface.frame.empty()) {
-    add(axes("surface", "m"), [](L l) { return Eigen::Vector3d(l.surface_world.translation()); });
-    add(rotation("surface", "world"), [](L l) { return vector_of(l.surface_world.linear()); });
-  }
-  add(wrenches_on(scene.supports), [](L l) { return l.plant->support_wrenches().reshaped(); });
-  return signals;
+  const std::vector<TouchSpec>& all = plant->scene().touches;
+  for (std::size_t i = 0; i < all.size(); ++i)
+    if (all[i].is_support)
+      add(wrench_on(all[i].frame),
+          [i](L l) { return l.plant->wrenches().col(static_cast<Eigen::Index>(i)); });
+  return result;
 }
 
 std::vector<TraceColumn> ClosedLoop::Impl::columns_of(const std::vector<Signal>& signals) {
@@ -479,14 +493,6 @@ Eigen::Vector3d ClosedLoop::Impl::sum_of_pushes() const noexcept {
   for (const Push& push : pushes)
     if (acts_at(push, plant->time())) sum += push.force_world;
   return sum;
-}
-
-/// Returns the true normal of the surface at the tool, in world axes.
-Eigen::Vector3d ClosedLoop::Impl::normal_world() const noexcept {
-  const SurfaceSpec& surface = plant->scene().surface;
-  const double moved = surface.motion.displacement(plant->time());
-  const Eigen::Vector3d p_tool = surface_world.inverse() * p_tool_world;
-  return surface_world.linear() * normal_at(plant->scene(), p_tool - moved * surface.normal);
 }
 
 const Trace& ClosedLoop::trace() const { return impl_->trace; }

@@ -47,9 +47,7 @@ const Description& description_of(const ClosedLoopOptions* /*of*/) {
           .field("imu_frame", &S::imu_frame,
                  "Frame of the inertial measurement unit (empty: the robot's first body; none: no"
                  " unit)")
-          .more("The controller receives the readings of the inertial measurement unit")
-          .field("support_sensors", &S::support_sensors,
-                 "Whether the controller receives the measured wrenches on the scene's supports");
+          .more("The controller receives the readings of the inertial measurement unit");
   return all;
 }
 
@@ -67,7 +65,7 @@ const Description& description_of(const Push* /*of*/) {
                  "Force in world axes, at the frame's origin [{N}]")
           .key("force")
           .field("frame", &S::frame,
-                 "Frame that the force acts on (`tip` or empty: the frame of the tip)")
+                 "Frame that the force acts on (`tip` or empty: the frame of the first tool)")
           .more("If the robot has no tool, ClosedLoop refuses an empty frame, and tasks use the "
                 "floating base instead.")
           .word("tip");
@@ -245,21 +243,24 @@ const Description& description_of(const Disturbances* /*of*/) {
                  "[{rad/s}]",
                  {.least = 0})
           .field("force_noise", &S::force_noise,
-                 "Standard deviation of the noise of the tool's force sensor, per axis of the "
-                 "tool's frame [{N}]",
+                 "Standard deviation of the noise of sensors that measure only the force, per "
+                 "axis [{N}]",
                  {.least = 0})
+          .more("Unless a scene states other sensors, these are the sensors of tools. The axes "
+                "are those of the touch's frame")
           .field("force_cutoff", &S::force_cutoff,
                  "Cut-off of the low-pass filter on measured forces and moments (0: no filter) "
                  "[{rad/s}]",
                  {.least = 0})
           .more("Noise is added before the filter")
           .field("support_force_noise", &S::support_force_noise,
-                 "Standard deviation of the noise of forces measured at supports, per axis [{N}]",
+                 "Standard deviation of the force noise of sensors of force and moment, per axis "
+                 "[{N}]",
                  {.least = 0})
           .more("The noise passes the low-pass filter with the cut-off force_cutoff")
           .field("support_moment_noise", &S::support_moment_noise,
-                 "Standard deviation of the noise of moments measured at supports, per axis "
-                 "[{Nm}]",
+                 "Standard deviation of the moment noise of sensors of force and moment, per axis"
+                 " [{Nm}]",
                  {.least = 0})
           .more("The noise passes the low-pass filter with the cut-off force_cutoff")
           .group("Errors of the inertial measurement unit, if there is one. Noise densities are "
@@ -397,10 +398,10 @@ const Description& description_of(const SurfaceSpec* /*of*/) {
   using S = SurfaceSpec;
   static const Description all =
       Describe<S>("sim", "SurfaceSpec",
-                  "Surface that the tool touches: a plane, a curved surface, or a square part of "
-                  "a plane or curved surface. Points are relative to the origin of `frame`; "
-                  "points and vectors are in the axes of `frame`. Without a frame, world "
-                  "coordinates are used.")
+                  "Surface that a part of the robot touches: a plane, a curved surface, or a "
+                  "square part of a plane or curved surface. Points are relative to the origin of"
+                  " `frame`; points and vectors are in the axes of `frame`. Without a frame, "
+                  "world coordinates are used.")
           .field("frame", &S::frame,
                  "Frame of the robot that carries the surface (empty: the surface is fixed in the"
                  " world)")
@@ -438,57 +439,51 @@ const Description& description_of(const SurfaceSpec* /*of*/) {
   return all;
 }
 
-const Description& description_of(const ToolTipSpec* /*of*/) {
-  using S = ToolTipSpec;
-  static const Description all =
-      Describe<S>("sim", "ToolTipSpec",
-                  "Round tip of a tool: a sphere centred at the origin of a frame. The sphere "
-                  "touches a plane at one point, and the normal force passes through the frame's "
-                  "origin.")
-          .field("frame", &S::frame,
-                 "Frame at the sphere's centre (empty: the robot has no tool)")
-          .field("radius", &S::radius,
-                 "Radius of the sphere [{m}]",
-                 {.least = 0, .open = true});
+const Words& words_of(WrenchSensor /*of*/) {
+  static const Words all{
+      "sim",
+      "WrenchSensor",
+      "Components of a wrench that a sensor measures.",
+      {{"automatic", "Force of a tool, force and moment of a support"},
+       {"none", "No component"},
+       {"force", "Force, but no moment"},
+       {"wrench", "Force and moment"}}};
   return all;
 }
 
-const Description& description_of(const SupportSpec* /*of*/) {
-  using S = SupportSpec;
+const Description& description_of(const TouchSpec* /*of*/) {
+  using S = TouchSpec;
   static const Description all =
-      Describe<S>("sim", "SupportSpec",
-                  "A part of the robot that stands on a plane or leans against it, such as a "
-                  "foot. Each support has its own plane. The plane can push on the support, but "
-                  "not pull. A support is either a sole (planar foot) or a ball (point foot). A "
-                  "sole is a rectangle centred at the origin of `frame`, with sides along the "
-                  "frame's x and y axes. The frame's z axis points away from the plane. A ball is"
-                  " a sphere centred at the origin of `frame`.")
+      Describe<S>("sim", "TouchSpec",
+                  "A touch: a part of the robot that can touch a surface, such as the tip of a "
+                  "tool, a hand or a foot. The frame names the touch. The part is either a sphere"
+                  " or a rectangle, and touches nothing but its own surface. The surface can push"
+                  " on the part, but not pull. A sphere is centred at the origin of `frame`. It "
+                  "touches the surface at one point. The normal force passes through the origin, "
+                  "and friction has a moment about the origin. A rectangle (sole) is centred at "
+                  "the origin of `frame`, with sides along the x and y axes of `frame`. Its z "
+                  "axis points away from the surface. The rectangle stands on its four corners.")
           .field("frame", &S::frame,
-                 "Frame at the centre of the sole or ball")
+                 "Frame at the centre of the sphere or rectangle; names the touch")
           .field("half_x", &S::half_x,
-                 "Half length of a sole along x (0: a ball) [{m}]",
+                 "Half length of a rectangle along x (0: a sphere) [{m}]",
                  {.least = 0})
           .field("half_y", &S::half_y,
-                 "Half length of a sole along y (0: a ball) [{m}]",
+                 "Half length of a rectangle along y (0: a sphere) [{m}]",
                  {.least = 0})
           .field("radius", &S::radius,
-                 "Radius of a ball [{m}]",
+                 "Radius of a sphere; not used for a rectangle [{m}]",
                  {.least = 0, .open = true})
-          .field("point", &S::point,
-                 "A point of the plane, in world coordinates [{m}]")
-          .field("normal", &S::normal,
-                 "Normal of the plane in world axes (out of the material, towards the robot)",
-                 {.direction = true})
-          .more("The normal may have any length")
-          .field("friction", &S::friction,
-                 "Coulomb friction coefficient",
-                 {.least = 0})
-          .field("stiffness", &S::stiffness,
-                 "Contact stiffness of the whole sole or ball [{N/m}]",
-                 {.least = 0, .open = true})
-          .field("damping", &S::damping,
-                 "Contact damping of the whole sole or ball [{Ns/m}]",
-                 {.least = 0, .open = true});
+          .field("surface", &S::surface,
+                 "Surface that the part touches")
+          .field("is_support", &S::is_support,
+                 "Whether the robot stands on this part or leans on it, as on a foot; otherwise "
+                 "it is a tool")
+          .more("A rectangle must be a support. The surface of a support must be a plane that is "
+                "fixed in the world and has an infinite `extent`")
+          .field("sensor", &S::sensor,
+                 "Components that the robot measures (automatic: force of a tool, force and "
+                 "moment of a support)");
   return all;
 }
 
@@ -536,14 +531,9 @@ const Description& description_of(const SceneSpec* /*of*/) {
   using S = SceneSpec;
   static const Description all =
       Describe<S>("sim", "SceneSpec",
-                  "Scene of a simulation: the surface, the tool's tip, and what the robot stands "
-                  "on.")
-          .field("surface", &S::surface,
-                 "Surface that the tool touches")
-          .more("Nothing touches the surface if the robot has no tool")
-          .field("tip", &S::tip)
-          .field("supports", &S::supports,
-                 "Parts of the robot that stand on a plane, such as feet")
+                  "Scene of a simulation: what the robot touches, and with which parts.")
+          .field("touches", &S::touches,
+                 "Parts of the robot that can touch a surface, each with its own frame")
           .field("slippery_ground", &S::slippery_ground,
                  "Slippery ground under supports")
           .field("hoist", &S::hoist,

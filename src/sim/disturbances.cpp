@@ -122,10 +122,9 @@ Model plant_model(const Model& nominal, const Disturbances& disturbances) {
   return payload.inertia.mass > 0.0 ? with_payload(std::move(result), payload) : result;
 }
 
-SceneSpec plant_scene(const SceneSpec& nominal, const Disturbances& disturbances) {
+SurfaceSpec plant_surface(const SurfaceSpec& nominal, const Disturbances& disturbances) {
+  SurfaceSpec surface = nominal;
   constexpr double degree = std::numbers::pi / 180.0;
-  SceneSpec result = nominal;
-  SurfaceSpec& surface = result.surface;
   const Eigen::Matrix3d axes = Reference::surface_with_normal(surface.normal).rotation;
   const Eigen::Vector2d tilt = degree * disturbances.surface_tilt_deg;
   surface.point += disturbances.surface_height * axes.col(2);
@@ -141,15 +140,15 @@ SceneSpec plant_scene(const SceneSpec& nominal, const Disturbances& disturbances
   shape.curvature *= curvature_scale;
   surface.motion = disturbances.surface_motion;
   surface.friction = disturbances.surface_friction.value_or(surface.friction);
-  result.slippery_ground = disturbances.slippery_ground;
-  return result;
+  return surface;
 }
 
-Eigen::Vector3d push_at(const std::vector<Push>& pushes, double time) noexcept {
-  Eigen::Vector3d sum = Eigen::Vector3d::Zero();
-  for (const Push& push : pushes)
-    if (push.frame.empty() && acts_at(push, time)) sum += push.force_world;
-  return sum;
+SceneSpec plant_scene(const SceneSpec& nominal, const Disturbances& disturbances) {
+  SceneSpec result = nominal;
+  for (TouchSpec& touch : result.touches)
+    if (!touch.is_support) touch.surface = plant_surface(touch.surface, disturbances);
+  result.slippery_ground = disturbances.slippery_ground;
+  return result;
 }
 
 }  // namespace burnish

@@ -29,42 +29,50 @@ void check(const IdealPlantOptions& options) {
                [](const std::string& entry) { return "the ideal plant's " + entry; });
 }
 
-void check_surface(const SceneSpec& scene) {
-  if (!scene.surface.frame.empty())
+/// Returns the touch that the plant simulates, or a touch without a frame for an empty scene.
+/// Throws Error if the plant cannot simulate the scene.
+TouchSpec tip_of(const SceneSpec& scene) {
+  for (const TouchSpec& touch : scene.touches)
+    if (touch.is_support)
+      throw Error("the ideal plant cannot simulate support " + in_quotes(touch.frame) +
+                  "; wanted a scene without supports, or MuJoCo as the plant");
+  if (scene.touches.size() > 1)
+    throw Error("the ideal plant cannot simulate the " + std::to_string(scene.touches.size()) +
+                " touches of the scene; wanted at most one, or MuJoCo as the plant");
+  if (scene.touches.empty()) return {};
+  const SurfaceSpec& surface = scene.tool().surface;
+  if (!surface.frame.empty())
     throw Error("the ideal plant does not support a surface that the robot carries (frame " +
-                in_quotes(scene.surface.frame) +
+                in_quotes(surface.frame) +
                 "); wanted a surface in the world, or MuJoCo as the plant");
-  if (!scene.surface.motion.is_at_rest())
+  if (!surface.motion.is_at_rest())
     throw Error(
         "the ideal plant's surface moves; wanted a surface at rest, or MuJoCo as the plant");
-  if (!scene.surface.shape.is_flat())
-    throw Error("the ideal plant's surface is a " + scene.surface.shape.text() +
+  if (!surface.shape.is_flat())
+    throw Error("the ideal plant's surface is a " + surface.shape.text() +
                 "; wanted a plane, or MuJoCo as the plant");
-  if (!scene.supports.empty())
-    throw Error(
-        "the ideal plant cannot simulate the scene's supports; wanted a scene without supports, or "
-        "MuJoCo as the plant");
+  return scene.tool();
 }
 
 /// Returns the contact of the tip: one row along the normal, active when the tip's centre is one
 /// tip radius above the surface.
-ContactSpec contact_of(const SceneSpec& scene, const IdealPlantOptions& options) {
+ContactSpec contact_of(const TouchSpec& tip, const IdealPlantOptions& options) {
   ContactSpec spec;
   spec.name = "tip";
-  spec.tool = scene.tip.frame;
-  spec.reference = Reference::surface_with_normal(scene.surface.normal);
+  spec.tool = tip.frame;
+  spec.reference = Reference::surface_with_normal(tip.surface.normal);
   spec.directions = Directions::z();
-  spec.target.translation() = scene.surface.point + scene.tip.radius * scene.surface.normal;
+  spec.target.translation() = tip.surface.point + tip.radius * tip.surface.normal;
   spec.with_gains(options.stabilize_kp, options.stabilize_kd);
   return spec;
 }
 
 /// Returns the contacts of the plant: first the contact of the tip, if there is one, then the
 /// contacts that close the robot's loops. Loop contacts are always active.
-std::vector<ContactSpec> contacts_of(const Model& model, const SceneSpec& scene,
+std::vector<ContactSpec> contacts_of(const Model& model, const TouchSpec& tip,
                                      const IdealPlantOptions& options) {
   std::vector<ContactSpec> contacts;
-  if (scene.tip.exists()) contacts.push_back(contact_of(scene, options));
+  if (!tip.frame.empty()) contacts.push_back(contact_of(tip, options));
   return with_loops(model, std::move(contacts), {options.stabilize_kp, options.stabilize_kd});
 }
 
@@ -79,7 +87,7 @@ struct Workspace {
   Eigen::VectorXd q, v;          ///< State at a stage
   Eigen::VectorXd u, rate;       ///< Increment since the start of the step, and its rate
   Eigen::VectorXd u_sum, a_sum;  ///< Weighted sums of rates over the stages
-  Eigen::VectorXd tau;           ///< Torques during the step, with pushes and friction
+  Eigen::VectorXd tau;           ///< Torques during the step, with friction
   Eigen::VectorXd total;         ///< Torques at a stage: tau plus spring torques
   Eigen::VectorXd v_free, response, normal;
   Eigen::MatrixXd M;
@@ -95,19 +103,18 @@ class IdealPlant final : public Plant {
   double time() const override { return static_cast<double>(steps_) * options_.dt; }
   const Eigen::VectorXd& q() const override { return q_; }
   const Eigen::VectorXd& v() const override { return v_; }
-  const Eigen::Vector3d& contact_force_world() const override { return force_; }
-  bool in_contact() const override { return in_contact_; }
+  const Wrenches& wrenches() const override { return wrenches_; }
   const Eigen::VectorXd& friction_torque() const override { return friction_; }
 
   Status reset(const ConstVectorRef& q, const ConstVectorRef& v) noexcept override;
-  Status step(const ConstVectorRef& tau, const Eigen::Vector3d& push_world) noexcept override;
+  Status step(const ConstVectorRef& tau) noexcept override;
   void save(PlantSnapshot& snapshot) const override;
   Status restore(const PlantSnapshot& snapshot) noexcept override;
 
  private:
   void start(const ConstVectorRef& q, const ConstVectorRef& v);
-  Status advance(const ConstVectorRef& tau, const Eigen::Vector3d& push_world);
-  Status find_forces(const ConstVectorRef& tau, const Eigen::Vector3d& push_world);
+  Status advance(const ConstVectorRef& tau);
+  Status find_forces(const ConstVectorRef& tau);
   Status find_friction();
   Status forward(const ConstVectorRef& q, const ConstVectorRef& v);
   Status integrate(double h);
@@ -120,15 +127,18 @@ class IdealPlant final : public Plant {
   void report(double normal_force);
   void set_touching(bool touching);
   void accept();
-  /// Returns the vectors that a snapshot contains after its eight numbers.
+  /// Returns the vectors that a snapshot contains after its numbers.
   std::array<const Eigen::VectorXd*, 5> vectors() const {
     return {&q_, &v_, &friction_, &coulomb_.joint_torque(), &coulomb_.torque()};
   }
-  int snapshot_size() const { return 8 + model_.nq + 4 * model_.nv; }
+  /// Numbers of a snapshot before its vectors: steps, contact, sliding force, wrench.
+  static constexpr int snapshot_numbers = 10;
+  int snapshot_size() const { return snapshot_numbers + model_.nq + 4 * model_.nv; }
 
   Model model_;
   Tree tree_;
   SceneSpec scene_;
+  TouchSpec touch_;  ///< The touch of the scene; without a frame, if the scene has none.
   IdealPlantOptions options_;
   Eigen::Matrix3d axes_;  ///< Axes of the surface: two tangents, then the normal
   ContactDynamics dynamics_;
@@ -146,8 +156,8 @@ class IdealPlant final : public Plant {
   bool touching_ = false;   ///< True if the contact is active
   double impulse_ = 0.0;    ///< Normal impulse of an impact in this step [Ns]
   double force_sum_ = 0.0;  ///< Weighted mean of the normal force over integrate() [N]
-  Eigen::Vector3d force_ = Eigen::Vector3d::Zero();
-  bool in_contact_ = false;
+  Eigen::Matrix3d R_tip_ = Eigen::Matrix3d::Identity();  ///< Axes of the tip at the step's start.
+  Wrenches wrenches_;
   /// Torques of friction, and of springs at the start of the step.
   Eigen::VectorXd friction_, spring_torque_;
   PlantSnapshot before_;
@@ -157,11 +167,12 @@ IdealPlant::IdealPlant(const Model& model, const SceneSpec& scene, const IdealPl
     : model_(model),
       tree_(model),
       scene_(checked_scene(model, scene)),
-      options_((check(options), check_surface(scene_), options)),
-      axes_(Reference::surface_with_normal(scene_.surface.normal).rotation),
-      dynamics_(model, contacts_of(model, scene_, options)),
+      touch_(tip_of(scene_)),
+      options_((check(options), options)),
+      axes_(Reference::surface_with_normal(touch_.surface.normal).rotation),
+      dynamics_(model, contacts_of(model, touch_, options)),
       body_(model),
-      tip_(scene_.tip.exists() ? body_.frame(scene_.tip.frame) : -1),
+      tip_(touch_.frame.empty() ? -1 : body_.frame(touch_.frame)),
       coulomb_(model.nv),
       springs_(model),
       work_(model),
@@ -170,6 +181,7 @@ IdealPlant::IdealPlant(const Model& model, const SceneSpec& scene, const IdealPl
       v_(Eigen::VectorXd::Zero(model.nv)),
       q_next_(q_),
       v_next_(v_),
+      wrenches_(6, tip_ < 0 ? 0 : 1),
       friction_(v_),
       spring_torque_(v_) {
   coulomb_.joint_viscous = model.damping;
@@ -183,8 +195,7 @@ void IdealPlant::start(const ConstVectorRef& q, const ConstVectorRef& v) {
   q_ = q;
   v_ = v;
   steps_ = 0;
-  force_.setZero();
-  in_contact_ = false;
+  wrenches_.setZero();
   friction_.setZero();
   coulomb_.reset();
   set_touching(gap_at(q_) <= min_gap);
@@ -201,20 +212,20 @@ double IdealPlant::gap_at(const Eigen::VectorXd& q) {
   work_.v.setZero();
   if (body_.update(q, work_.v) != Status::Ok) return 0.0;
   const Eigen::Vector3d p_tip_world = body_.placement(tip_).translation();
-  if (!is_over(scene_, p_tip_world, false)) return std::numeric_limits<double>::infinity();
-  return gap(scene_, p_tip_world);
+  if (!is_over(touch_, p_tip_world, false)) return std::numeric_limits<double>::infinity();
+  return gap(touch_, p_tip_world);
 }
 
 bool IdealPlant::has_friction() const {
-  const bool tip = touching_ && (scene_.surface.friction > 0.0 || options_.tip_viscous > 0.0);
+  const bool tip = touching_ && (touch_.surface.friction > 0.0 || options_.tip_viscous > 0.0);
   return tip || !model_.damping.isZero(0.0) || !model_.friction.isZero(0.0);
 }
 
-Status IdealPlant::step(const ConstVectorRef& tau, const Eigen::Vector3d& push_world) noexcept {
+Status IdealPlant::step(const ConstVectorRef& tau) noexcept {
   if (tau.size() != model_.nv) return Status::WrongSize;
-  if (!tau.allFinite() || !push_world.allFinite()) return Status::NotFinite;
+  if (!tau.allFinite()) return Status::NotFinite;
   save(before_);
-  const Status status = advance(tau, push_world);
+  const Status status = advance(tau);
   if (is_usable(status)) return status;
   (void)restore(before_);
   return status;
@@ -222,14 +233,14 @@ Status IdealPlant::step(const ConstVectorRef& tau, const Eigen::Vector3d& push_w
 
 /// Simulates one time step. If the tip reaches the surface during the step, the step is divided at
 /// the impact.
-Status IdealPlant::advance(const ConstVectorRef& tau, const Eigen::Vector3d& push_world) {
+Status IdealPlant::advance(const ConstVectorRef& tau) {
   const double h = options_.dt;
   impulse_ = 0.0;
-  Status status = find_forces(tau, push_world);
+  Status status = find_forces(tau);
   status = worst(status, integrate(h));
   if (touching_ && force_sum_ < 0.0) {
     set_touching(false);
-    status = find_forces(tau, push_world);
+    status = find_forces(tau);
     status = worst(status, integrate(h));
   }
   if (!is_usable(status)) return status;
@@ -261,16 +272,16 @@ Status IdealPlant::forward(const ConstVectorRef& q, const ConstVectorRef& v) {
   return dynamics_.forward(q, v, work_.total);
 }
 
-/// Computes the torques of pushes and friction, which are constant during the step. Ends the
-/// contact if its force would pull the tip.
-Status IdealPlant::find_forces(const ConstVectorRef& tau, const Eigen::Vector3d& push_world) {
+/// Computes the torques of friction, which are constant during the step. Ends the contact if its
+/// force would pull the tip.
+Status IdealPlant::find_forces(const ConstVectorRef& tau) {
   Status status = body_.update(q_, v_);
   if (!is_usable(status)) return status;
-  if (touching_ && !is_over(scene_, body_.placement(tip_).translation(), true)) set_touching(false);
+  if (touching_ && !is_over(touch_, body_.placement(tip_).translation(), true)) set_touching(false);
   work_.tau = tau + coulomb_.torque();
   if (tip_ >= 0) {
+    R_tip_ = body_.placement(tip_).linear();
     body_.frame_derivatives(tip_, Reference::centered(), tip_motion_);
-    add_product(1.0, tip_motion_.jacobian.topRows(3).transpose(), push_world, work_.tau);
   }
   spring_torque_.setZero();
   add_spring_torque(springs_, q_.data(), v_.data(), spring_torque_.data());
@@ -291,14 +302,14 @@ Status IdealPlant::find_forces(const ConstVectorRef& tau, const Eigen::Vector3d&
 
 Status IdealPlant::find_friction() {
   // Friction acts at the contact point, which is one radius below the tip's origin.
-  const Eigen::Vector3d arm = -scene_.tip.radius * axes_.col(2);
+  const Eigen::Vector3d arm = -touch_.radius * axes_.col(2);
   for (int t = 0; t < 2 && tip_ >= 0; ++t) {
     const Eigen::Vector3d tangent = axes_.col(t), moment = arm.cross(tangent);
     auto row = coulomb_.tangents.row(t);
     multiply(tangent.transpose(), tip_motion_.jacobian.topRows(3), row);
     add_product(1.0, moment.transpose(), tip_motion_.jacobian.bottomRows(3), row);
   }
-  coulomb_.tip_coulomb = touching_ ? scene_.surface.friction * dynamics_.lambda()[0] : 0.0;
+  coulomb_.tip_coulomb = touching_ ? touch_.surface.friction * dynamics_.lambda()[0] : 0.0;
   coulomb_.tip_viscous = touching_ ? options_.tip_viscous : 0.0;
   const Status status = dynamics_.forward_derivatives();
   if (!is_usable(status)) return status;
@@ -395,9 +406,12 @@ void IdealPlant::accept() {
 void IdealPlant::report(double normal_force) {
   const double total = std::max(normal_force + impulse_ / options_.dt, 0.0);
   const Eigen::Vector2d& sliding = coulomb_.sliding_force();
-  force_ = total * axes_.col(2);
-  if (touching_) force_ += sliding[0] * axes_.col(0) + sliding[1] * axes_.col(1);
-  in_contact_ = touching_ && total > 0.0;
+  Eigen::Vector3d force_world = total * axes_.col(2);
+  if (touching_) force_world += sliding[0] * axes_.col(0) + sliding[1] * axes_.col(1);
+  // Friction acts one radius below the frame's origin.
+  const Eigen::Vector3d moment_world = -touch_.radius * axes_.col(2).cross(force_world);
+  if (tip_ >= 0)
+    wrenches_.col(0) << R_tip_.transpose() * force_world, R_tip_.transpose() * moment_world;
   friction_ = coulomb_.joint_torque() + spring_torque_;
 }
 
@@ -406,10 +420,10 @@ void IdealPlant::save(PlantSnapshot& snapshot) const {
   Eigen::VectorXd& to = snapshot.numbers;
   to[0] = static_cast<double>(steps_);
   to[1] = touching_ ? 1.0 : 0.0;
-  to[2] = in_contact_ ? 1.0 : 0.0;
-  to.segment<3>(3) = force_;
-  to.segment<2>(6) = coulomb_.sliding_force();
-  Eigen::Index at = 8;
+  to.segment<2>(2) = coulomb_.sliding_force();
+  to.segment<6>(4).setZero();
+  if (tip_ >= 0) to.segment<6>(4) = wrenches_.col(0);
+  Eigen::Index at = snapshot_numbers;
   for (const Eigen::VectorXd* x : vectors()) {
     to.segment(at, x->size()) = *x;
     at += x->size();
@@ -421,14 +435,14 @@ Status IdealPlant::restore(const PlantSnapshot& snapshot) noexcept {
   if (from.size() != snapshot_size()) return Status::WrongSize;
   steps_ = std::lround(from[0]);
   set_touching(from[1] != 0.0);
-  in_contact_ = from[2] != 0.0;
-  force_ = from.segment<3>(3);
+  if (tip_ >= 0) wrenches_.col(0) = from.segment<6>(4);
+  constexpr int first = snapshot_numbers;
   const int nq = model_.nq, nv = model_.nv;
-  q_ = from.segment(8, nq);
-  v_ = from.segment(8 + nq, nv);
-  friction_ = from.segment(8 + nq + nv, nv);
-  coulomb_.start_at(from.segment(8 + nq + 2 * nv, nv), from.segment<2>(6),
-                    from.segment(8 + nq + 3 * nv, nv));
+  q_ = from.segment(first, nq);
+  v_ = from.segment(first + nq, nv);
+  friction_ = from.segment(first + nq + nv, nv);
+  coulomb_.start_at(from.segment(first + nq + 2 * nv, nv), from.segment<2>(2),
+                    from.segment(first + nq + 3 * nv, nv));
   return Status::Ok;
 }
 

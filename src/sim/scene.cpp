@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 #include <numbers>
+#include <utility>
 
 #include "base/sentence.hpp"
 #include "base/to_size.hpp"
@@ -25,27 +26,55 @@ void check_moves(const Model& model, const std::string& frame, const char* whose
                 " is fixed to the world; wanted a frame that the robot moves");
 }
 
-void check_carried(const Model& model, const SceneSpec& scene) {
-  const std::string& frame = scene.surface.frame;
-  check_moves(model, frame, "the surface's");
-  const auto body = [&](const std::string& name) {
-    return model.frames[to_size(model.frame_index(name))].body;
-  };
-  if (scene.tip.exists() && body(frame) == body(scene.tip.frame))
-    throw Error("the surface's frame " + in_quotes(frame) + " and the tip's " +
-                in_quotes(scene.tip.frame) + " are on one body; wanted frames that move relative " +
-                "to each other");
+int body_of(const Model& model, const std::string& frame) {
+  return model.frames[to_size(model.frame_index(frame))].body;
 }
 
-void check_support(const Model& model, const SupportSpec& support) {
-  check_ranges(description_of(&support), &support, [&](const std::string& entry) {
-    return "support " + in_quotes(support.frame) + ": " + entry;
-  });
-  check_moves(model, support.frame, "a support's");
-  if (!support.is_sole() && (support.half_x > 0.0 || support.half_y > 0.0))
-    throw Error("support " + in_quotes(support.frame) + " has half sides of " +
-                number(support.half_x) + " and " + number(support.half_y) +
-                " m; wanted both above 0 for a planar foot, or both 0 for a point foot");
+void check_surface(const Model& model, const TouchSpec& touch, const std::string& whose) {
+  const SurfaceSpec& surface = touch.surface;
+  check_ranges(description_of(&surface), &surface,
+               [&](const std::string& entry) { return whose + " surface." + entry; });
+  surface.shape.check(whose + " surface");
+  if (!surface.frame.empty()) {
+    check_moves(model, surface.frame, "the surface's");
+    if (body_of(model, surface.frame) == body_of(model, touch.frame))
+      throw Error("the surface's frame " + in_quotes(surface.frame) + " and the touch's frame " +
+                  in_quotes(touch.frame) + " are on one body; wanted frames that move relative " +
+                  "to each other");
+  }
+  const double concavity = surface_of(surface).max_concavity();
+  if (!touch.is_rectangle() && !(concavity * touch.radius < 1.0))
+    throw Error(whose + " radius of " + number(touch.radius) + " m does not fit into the " +
+                surface.shape.text() + "; wanted a radius below " + number(1.0 / concavity) +
+                " m, the smallest concave radius");
+}
+
+/// Returns what a support cannot stand on; empty if the surface is a plane in the world.
+std::string unfit_for_supports(const SurfaceSpec& surface) {
+  if (!surface.frame.empty()) return "is carried by frame " + in_quotes(surface.frame);
+  if (!surface.motion.is_at_rest()) return "moves";
+  if (!surface.shape.is_flat()) return "is a " + surface.shape.text();
+  return std::isinf(surface.extent) ? "" : "has edges";
+}
+
+void check_touch(const Model& model, const TouchSpec& touch) {
+  if (touch.frame.empty()) throw Error("a touch of the scene has no frame; wanted its frame");
+  const std::string of = "touch " + in_quotes(touch.frame) + ":";
+  check_ranges(description_of(&touch), &touch,
+               [&](const std::string& entry) { return of + " " + entry; });
+  check_moves(model, touch.frame, "a touch's");
+  if (!touch.is_rectangle() && (touch.half_x > 0.0 || touch.half_y > 0.0))
+    throw Error(of + " the half sides are " + number(touch.half_x) + " and " +
+                number(touch.half_y) +
+                " m; wanted both above 0 for a rectangle, or both 0 for a sphere");
+  check_surface(model, touch, of);
+  if (touch.is_rectangle() && !touch.is_support)
+    throw Error(of +
+                " it is a rectangle and a tool; wanted is_support for a rectangle, or a sphere");
+  if (const std::string unfit = unfit_for_supports(touch.surface);
+      touch.is_support && !unfit.empty())
+    throw Error(of + " its surface " + unfit +
+                "; wanted a plane in the world without edges for a support");
 }
 
 /// Throws Error unless the slippery ground is under a support. Under another frame, the ground
@@ -55,7 +84,8 @@ void check_ground(const SceneSpec& scene, const SlipperyGround& ground) {
                [](const std::string& entry) { return "the slippery ground's " + entry; });
   if (ground.frame.empty()) return;
   std::vector<std::string> supports;
-  for (const SupportSpec& support : scene.supports) supports.push_back(support.frame);
+  for (const TouchSpec& touch : scene.touches)
+    if (touch.is_support) supports.push_back(touch.frame);
   if (std::find(supports.begin(), supports.end(), ground.frame) == supports.end())
     throw Error("the slippery ground is under " + in_quotes(ground.frame) +
                 ", which is not a support of the scene" + did_you_mean(ground.frame, supports));
@@ -63,28 +93,55 @@ void check_ground(const SceneSpec& scene, const SlipperyGround& ground) {
 
 }  // namespace
 
+WrenchSensor TouchSpec::measured() const {
+  if (sensor != WrenchSensor::Automatic) return sensor;
+  return is_support ? WrenchSensor::Wrench : WrenchSensor::Force;
+}
+
+int SceneSpec::tool_index() const noexcept {
+  for (std::size_t i = 0; i < touches.size(); ++i)
+    if (!touches[i].is_support) return static_cast<int>(i);
+  return -1;
+}
+
+const TouchSpec& SceneSpec::tool() const {
+  const int index = tool_index();
+  if (index < 0) throw Error("the scene has no tool; wanted a touch that is not a support");
+  return touches[to_size(index)];
+}
+
+TouchSpec& SceneSpec::tool() { return const_cast<TouchSpec&>(std::as_const(*this).tool()); }
+
+std::vector<TouchSpec> SceneSpec::supports() const {
+  std::vector<TouchSpec> result;
+  for (const TouchSpec& touch : touches)
+    if (touch.is_support) result.push_back(touch);
+  return result;
+}
+
+const TouchSpec& SceneSpec::touch(std::string_view frame) const {
+  std::vector<std::string> frames;
+  for (const TouchSpec& touch : touches) {
+    if (touch.frame == frame) return touch;
+    frames.push_back(touch.frame);
+  }
+  throw Error("the scene has no touch " + in_quotes(std::string(frame)) +
+              did_you_mean(std::string(frame), frames));
+}
+
 SceneSpec checked_scene(const Model& model, const SceneSpec& scene) {
-  const SurfaceSpec& surface = scene.surface;
-  check_ranges(description_of(&surface), &surface,
-               [](const std::string& entry) { return "the surface's " + entry; });
-  check_ranges(description_of(&scene.tip), &scene.tip,
-               [](const std::string& entry) { return "the tip's " + entry; });
-  if (scene.tip.exists()) check_moves(model, scene.tip.frame, "the tip's");
-  if (!surface.frame.empty()) check_carried(model, scene);
-  for (const SupportSpec& support : scene.supports) check_support(model, support);
+  for (const TouchSpec& touch : scene.touches) {
+    check_touch(model, touch);
+    if (&scene.touch(touch.frame) != &touch)
+      throw Error("the scene has two touches with frame " + in_quotes(touch.frame) +
+                  "; wanted another frame for each touch");
+  }
   for (const SlipperyGround& ground : scene.slippery_ground) check_ground(scene, ground);
   check_ranges(description_of(&scene.hoist), &scene.hoist,
                [](const std::string& entry) { return "the hoist's " + entry; });
   if (!scene.hoist.frame.empty()) check_moves(model, scene.hoist.frame, "the hoist's");
-  surface.shape.check("the surface");
-  const double concavity = surface_of(surface).max_concavity();
-  if (scene.tip.exists() && !(concavity * scene.tip.radius < 1.0))
-    throw Error("the tip's radius of " + number(scene.tip.radius) + " m does not fit into the " +
-                surface.shape.text() + "; wanted a tip radius below " + number(1.0 / concavity) +
-                " m, the smallest concave radius");
   SceneSpec result = scene;
-  result.surface.normal.normalize();
-  for (SupportSpec& support : result.supports) support.normal.normalize();
+  for (TouchSpec& touch : result.touches) touch.surface.normal.normalize();
   return result;
 }
 
@@ -101,24 +158,23 @@ bool acts_at(double start, double duration, double time) noexcept {
   return now >= start && now < start + duration;
 }
 
-double friction_under(const SceneSpec& scene, const SupportSpec& support, double time) noexcept {
-  double friction = support.friction;
+double friction_under(const SceneSpec& scene, const TouchSpec& support, double time) noexcept {
+  double friction = support.surface.friction;
   for (const SlipperyGround& ground : scene.slippery_ground)
     if ((ground.frame.empty() || ground.frame == support.frame) && acts_at(ground, time))
       friction = ground.friction;
   return friction;
 }
 
-SceneSpec scene_under_tip(const Model& model, const Eigen::Ref<const Eigen::VectorXd>& q,
-                          const Eigen::Vector3d& normal, SceneSpec scene, double clearance) {
-  if (!scene.tip.exists())
-    throw Error("the scene has no tip, to which the surface could be moved; wanted tip.frame");
-  scene.surface.normal = normal;
-  scene = checked_scene(model, scene);
-  const Eigen::Vector3d p_tip = surface_placement(model, q, scene.surface).inverse() *
-                                frame_placement(model, q, scene.tip.frame).translation();
-  scene.surface.point = p_tip - (scene.tip.radius + clearance) * scene.surface.normal;
-  return scene;
+TouchSpec with_surface_at(const Model& model, const Eigen::Ref<const Eigen::VectorXd>& q,
+                          const Eigen::Vector3d& normal, TouchSpec touch, double clearance) {
+  touch.surface.normal = normal;
+  touch = checked_scene(model, {.touches = {touch}}).touches.front();
+  const Eigen::Vector3d p = surface_placement(model, q, touch.surface).inverse() *
+                            frame_placement(model, q, touch.frame).translation();
+  const double below = touch.is_rectangle() ? 0.0 : touch.radius;
+  touch.surface.point = p - (below + clearance) * touch.surface.normal;
+  return touch;
 }
 
 Eigen::Isometry3d surface_placement(const Model& model, const Eigen::Ref<const Eigen::VectorXd>& q,
@@ -138,15 +194,15 @@ SurfaceSpec in_world(SurfaceSpec surface, const Eigen::Isometry3d& placement) {
   return surface;
 }
 
-Eigen::Vector3d normal_at(const SceneSpec& scene, const Eigen::Vector3d& p_tip) {
-  if (scene.surface.shape.is_flat()) return scene.surface.normal;
-  return surface_of(scene.surface).at(p_tip).normal;
+Eigen::Vector3d normal_at(const SurfaceSpec& surface, const Eigen::Vector3d& p) {
+  return surface.shape.is_flat() ? surface.normal : surface_of(surface).at(p).normal;
 }
 
-double gap(const SceneSpec& scene, const Eigen::Vector3d& p_tip) {
-  if (!scene.surface.shape.is_flat())
-    return surface_of(scene.surface).at(p_tip).distance - scene.tip.radius;
-  return scene.surface.normal.dot(p_tip - scene.surface.point) - scene.tip.radius;
+double gap(const TouchSpec& touch, const Eigen::Vector3d& p) {
+  const SurfaceSpec& surface = touch.surface;
+  const double distance = surface.shape.is_flat() ? surface.normal.dot(p - surface.point)
+                                                  : surface_of(surface).at(p).distance;
+  return distance - touch.radius;
 }
 
 Eigen::Vector3d seen_from_surface(const SurfaceSpec& surface, const Eigen::Vector3d& p) {
@@ -154,12 +210,12 @@ Eigen::Vector3d seen_from_surface(const SurfaceSpec& surface, const Eigen::Vecto
   return axes.transpose() * (p - surface.point);
 }
 
-bool is_over(const SceneSpec& scene, const Eigen::Vector3d& p_tip, bool in_contact) {
-  const double extent = scene.surface.extent;
+bool is_over(const TouchSpec& touch, const Eigen::Vector3d& p, bool in_contact) {
+  const double extent = touch.surface.extent;
   if (std::isinf(extent)) return true;
-  const Eigen::Vector3d seen = seen_from_surface(scene.surface, p_tip);
+  const Eigen::Vector3d seen = seen_from_surface(touch.surface, p);
   if (!(std::abs(seen.x()) <= extent && std::abs(seen.y()) <= extent)) return false;
-  return in_contact || gap(scene, p_tip) > -scene.tip.radius;
+  return in_contact || gap(touch, p) > -touch.radius;
 }
 
 }  // namespace burnish

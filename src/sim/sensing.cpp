@@ -2,10 +2,10 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 #include <numbers>
 
 #include "base/to_size.hpp"
-#include "burnish/derivatives/rigid_body.hpp"
 #include "dynamics/integration.hpp"
 #include "sim/random.hpp"
 
@@ -38,18 +38,23 @@ struct Sensing::Random {
   RandomStream torque, position, velocity, force, support;
 };
 
-Sensing::Sensing(const Model& model, const Disturbances& disturbances, int supports, double period)
+Sensing::Sensing(const Model& model, const Disturbances& disturbances, const SceneSpec& scene,
+                 const std::vector<std::string>& touches, double period)
     : disturbances_((check_disturbances(model, disturbances), disturbances)),
       joints_(model.joints),
       tree_(std::make_unique<Tree>(model)),
       random_(std::make_unique<Random>(disturbances.seed)),
       q_before_(model.q_neutral),
       differences_(Eigen::VectorXd::Zero(model.nv)),
-      work_(differences_),
-      body_(std::make_unique<RigidBody>(model)) {
+      work_(differences_) {
+  for (const std::string& frame : touches) {
+    const TouchSpec& touch = scene.touch(frame);
+    sensors_.push_back({&touch - scene.touches.data(), touch.measured()});
+  }
   measurement_.q = model.q_neutral;
   measurement_.v = measurement_.tau = differences_;
-  measurement_.support_wrenches.setZero(6, supports);
+  measurement_.wrenches.setConstant(6, static_cast<Eigen::Index>(touches.size()),
+                                    std::numeric_limits<double>::quiet_NaN());
   const long ticks = std::lround(disturbances.measurement_delay / period);
   // Ring buffer with the current measurement and `ticks` earlier ones.
   if (ticks > 0) late_.assign(to_size(ticks) + 1, measurement_);
@@ -63,7 +68,6 @@ void Sensing::mount_imu(const Model& model, const std::string& frame) {
 
 void Sensing::reset() noexcept {
   *random_ = Random(disturbances_.seed);
-  measurement_.support_wrenches.setZero();
   if (imu_) imu_->reset();
   started_ = false;
 }
@@ -77,8 +81,7 @@ const Measurement& Sensing::measure(const Plant& plant, const ConstVectorRef& ap
   if (disturbances_.torque_sensor_noise > 0.0)
     for (double& tau : measurement_.tau)
       tau += disturbances_.torque_sensor_noise * random_->torque.normal();
-  measure_force(plant);
-  measure_supports(plant);
+  measure_wrenches(plant);
   if (imu_) {
     measurement_.imu = imu_->measure(
         plant.q(), plant.v(), started_ && elapsed_ > 0.0 ? elapsed_ : plant.dt(), plant.time());
@@ -132,30 +135,28 @@ void Sensing::measure_velocity(const Plant& plant) noexcept {
     for (double& entry : v) entry += disturbances_.velocity_noise * random_->velocity.normal();
 }
 
-void Sensing::measure_force(const Plant& plant) noexcept {
-  const std::string& tool = plant.scene().tip.frame;
-  if (tool.empty() || !is_usable(body_->update(plant.q(), plant.v()))) return;
-  const Eigen::Matrix3d R_tool = body_->placement(body_->frame(tool)).linear();
-  Eigen::Vector3d reading = R_tool.transpose() * plant.contact_force_world();
-  if (disturbances_.force_noise > 0.0)
-    for (double& entry : reading) entry += disturbances_.force_noise * random_->force.normal();
+/// Noise acts before the low-pass filter, which starts at the first reading.
+void Sensing::measure_wrenches(const Plant& plant) noexcept {
   const double gain = started_ ? low_pass(disturbances_.force_cutoff, elapsed_) : 1.0;
-  auto force = measurement_.tool_wrench.head<3>();
-  if (!started_) force.setZero();  // NaN, or a value before reset()
-  force += gain * (reading - force);
-}
-
-void Sensing::measure_supports(const Plant& plant) noexcept {
-  auto& wrenches = measurement_.support_wrenches;
-  const auto& reading = plant.support_wrenches();
-  const double gain = started_ ? low_pass(disturbances_.force_cutoff, elapsed_) : 1.0;
-  for (Eigen::Index i = 0; i < std::min(reading.cols(), wrenches.cols()); ++i)
-    for (Eigen::Index k = 0; k < 6; ++k) {
-      const double deviation =
-          k < 3 ? disturbances_.support_force_noise : disturbances_.support_moment_noise;
-      const double noise = deviation > 0.0 ? deviation * random_->support.normal() : 0.0;
-      wrenches(k, i) += gain * (reading(k, i) + noise - wrenches(k, i));
+  const auto noise = [](double deviation, RandomStream& stream) {
+    return deviation > 0.0 ? deviation * stream.normal() : 0.0;
+  };
+  for (std::size_t i = 0; i < sensors_.size(); ++i) {
+    const auto [touch, components] = sensors_[i];
+    const auto reading = plant.wrenches().col(touch);
+    auto measured = measurement_.wrenches.col(static_cast<Eigen::Index>(i));
+    const int count = components == WrenchSensor::None    ? 0
+                      : components == WrenchSensor::Force ? 3
+                                                          : 6;
+    if (!started_) measured.head(count).setZero();  // NaN, or a value before reset()
+    for (int k = 0; k < count; ++k) {
+      const double error = components == WrenchSensor::Force
+                               ? noise(disturbances_.force_noise, random_->force)
+                           : k < 3 ? noise(disturbances_.support_force_noise, random_->support)
+                                   : noise(disturbances_.support_moment_noise, random_->support);
+      measured[k] += gain * (reading[k] + error - measured[k]);
     }
+  }
 }
 
 }  // namespace burnish

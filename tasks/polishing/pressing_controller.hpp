@@ -23,7 +23,8 @@ class PressingController {
     measured_.q = problem.initial_state.head(model.nq);
     measured_.v = Eigen::VectorXd::Zero(model.nv);
     measured_.tau = Eigen::VectorXd::Zero(model.nv);
-    measured_.tool_wrench.head<3>() =
+    measured_.wrenches.setZero(6, 1);
+    measured_.wrenches.col(0).head<3>() =
         frame_placement(model, measured_.q, tool).linear().transpose().col(2) * force;
   }
 

@@ -59,7 +59,8 @@ ReachReport check_reach(const Task& task, const Setting& setting, const ReachOpt
   pressing::ReachWalk walk(setting.robot.model, setting.scene, setting.q_start, options);
   if (task.rest.is_stated())
     walk.load(task.rest.frame, task.rest.force * task.rest.normal_world.normalized());
-  const Eigen::Vector3d p_above = setting.p_center + task.clearance * setting.scene.surface.normal;
+  const Eigen::Vector3d p_above =
+      setting.p_center + task.clearance * setting.scene.tool().surface.normal;
   const bool reaches_center = walk.visit_line(setting.p_start, p_above, -task.clearance) &&
                               walk.visit_line(p_above, setting.p_center, 0.0);
   if (reaches_center) visit_path(walk, task, setting, options);

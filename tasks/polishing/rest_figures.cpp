@@ -15,7 +15,7 @@ RestFigures rest_figures(const RestingHand& rest, const Setting& setting, const 
   constexpr double average = 0.01;  // averaging time of the force, as in VerdictFigures [s]
   const Trace::Column time = trace.column("time");
   StateRows states(trace, setting.robot.model);
-  const FootRows hand(trace, states.body(), setting.scene.supports.back());
+  const FootRows hand(trace, states.body(), setting.scene.touch(rest.frame));
   const auto first =
       static_cast<int>(std::lower_bound(time.begin(), time.end(), begin - 1e-9) - time.begin());
   std::vector<double> forces;

@@ -104,7 +104,7 @@ class WatchedRest final : public MpcTask {
     slip_ = pressing::slid(contact_, now, rest_.normal_world, rest_.radius).norm();
     // Averaging time of the force [s], equal to that of hands in push_wall.
     constexpr double window = 10e-3;
-    const auto& wrenches = view.measurement.support_wrenches;
+    const auto& wrenches = view.support_wrenches;
     if (column_ < wrenches.cols()) {
       const Eigen::Vector3d force_world = now.linear() * wrenches.col(column_).head<3>();
       force_ += -std::expm1(-view.dt / window) * (force_world.dot(rest_.normal_world) - force_);
@@ -142,7 +142,7 @@ class WatchedRest final : public MpcTask {
   RestingHand rest_;
   double contact_lost_;   ///< Longest time without force [s].
   int frame_;             ///< Frame of the hand.
-  Eigen::Index column_;   ///< Column of the hand in Measurement::support_wrenches.
+  Eigen::Index column_;   ///< Column of the hand in TaskView::support_wrenches.
   std::size_t of_task_;   ///< Number of quantities that the task monitors.
   bool started_ = false;  ///< Whether `contact_` is set.
   double force_ = 0.0;    ///< Mean normal force of the hand [N].
@@ -188,21 +188,22 @@ void check_rest(const Task& task, const Model& model) {
                          " is not measured; wanted true, or rest.frame none");
 }
 
-SupportSpec resting_support(const RestingHand& rest, const Model& model, const Eigen::VectorXd& q) {
+TouchSpec resting_support(const RestingHand& rest, const Model& model, const Eigen::VectorXd& q) {
   const Eigen::Vector3d n_world = rest.normal_world.normalized();
   const double sinks = rest.force / rest.stiffness;  // indentation of the plane [m]
+  const Eigen::Vector3d p_hand = frame_placement(model, q, rest.frame).translation();
   return {.frame = rest.frame,
           .radius = rest.radius,
-          .point =
-              frame_placement(model, q, rest.frame).translation() - (rest.radius - sinks) * n_world,
-          .normal = n_world,
-          .friction = rest.friction,
-          .stiffness = rest.stiffness,
-          .damping = plane_lag * rest.stiffness};
+          .surface = {.point = p_hand - (rest.radius - sinks) * n_world,
+                      .normal = n_world,
+                      .friction = rest.friction,
+                      .stiffness = rest.stiffness,
+                      .damping = plane_lag * rest.stiffness},
+          .is_support = true};
 }
 
-std::vector<SupportSpec> feet_in(const Task& task, const SceneSpec& scene) {
-  std::vector<SupportSpec> feet = scene.supports;
+std::vector<TouchSpec> feet_in(const Task& task, const SceneSpec& scene) {
+  std::vector<TouchSpec> feet = scene.supports();
   feet.resize(task.standing.feet.size());
   return feet;
 }

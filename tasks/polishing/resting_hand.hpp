@@ -13,10 +13,10 @@ void check_rest(const Task& task, const Model& model);
 
 /// Returns the hand as a support. Its plane touches the hand in the configuration q (nq), and is
 /// indented there by the stated force.
-SupportSpec resting_support(const RestingHand& rest, const Model& model, const Eigen::VectorXd& q);
+TouchSpec resting_support(const RestingHand& rest, const Model& model, const Eigen::VectorXd& q);
 
 /// Returns the supports of a scene that are feet.
-std::vector<SupportSpec> feet_in(const Task& task, const SceneSpec& scene);
+std::vector<TouchSpec> feet_in(const Task& task, const SceneSpec& scene);
 
 /// Returns the motor torques (nv) that hold the starting posture against gravity and, with a
 /// resting hand, against the force on the hand.

@@ -47,7 +47,7 @@ Pieces make_controller(const RunSpec& spec, const Setting& setting) {
     pieces.controller = is_baseline
                             ? make_impedance_controller(model, make_baseline(task, setting))
                             : make_admittance_controller(model, make_admittance(task, setting));
-    const double above = gap(setting.scene, setting.p_start);
+    const double above = gap(setting.scene.tool(), setting.p_start);
     pieces.planned_end = above / task.approach_speed + task.ramp_duration + task.polish_duration;
   }
   pieces.planned_end += pressing::time_from_home(setting.home);
@@ -109,9 +109,10 @@ void measure_path(const RunSpec& spec, const pressing::RunEnd& end, const Watch&
   const Model& model = setting.robot.model;
   metrics.tool_axis = pressing_direction(spec.task, model);
   const Eigen::VectorXd& q_begin = setting.home ? setting.home->corners.front() : setting.q_start;
-  metrics.tool_start_world = (surface_placement(model, q_begin, setting.scene.surface).inverse() *
-                              frame_placement(model, q_begin, spec.task.tool))
-                                 .linear();
+  metrics.tool_start_world =
+      (surface_placement(model, q_begin, setting.scene.tool().surface).inverse() *
+       frame_placement(model, q_begin, spec.task.tool))
+          .linear();
   Trace buffer;
   result.metrics = measure(seen_from_surface(result.trace, buffer), model, metrics);
 }

@@ -55,13 +55,13 @@ void check_path_on(const Setting& setting, const Task& task) {
   // Cosine of the steepest slope, about 70 degrees; chosen by hand.
   constexpr double min_cosine = 0.35;
   constexpr int count = 400;  // number of points checked along the path
-  const Surface surface = surface_of(setting.scene.surface);
+  const Surface surface = surface_of(setting.scene.tool().surface);
   const Path path(task.path);
   const double end = std::min(task.polish_duration, path.duration());
   for (int i = 0; i <= count; ++i) {
     const Eigen::Vector2d p = path.at(end * i / count).p;
-    const Eigen::Vector3d on =
-        surface.along_normal(setting.scene.surface.point + setting.surface_axes.leftCols<2>() * p);
+    const Eigen::Vector3d on = surface.along_normal(setting.scene.tool().surface.point +
+                                                    setting.surface_axes.leftCols<2>() * p);
     const SurfaceDistance at = surface.at(on);
     if (std::abs(at.distance) < 1e-9 && at.normal.dot(setting.surface_axes.col(2)) > min_cosine)
       continue;
@@ -100,7 +100,7 @@ namespace {
 Setting checked_axis(const Task& task, Setting setting) {
   if (!task.tool_axis) return setting;
   const Model& model = setting.robot.model;
-  const SurfaceSpec& surface = setting.scene.surface;
+  const SurfaceSpec& surface = setting.scene.tool().surface;
   const Eigen::Matrix3d R_tool =
       surface_placement(model, setting.q_start, surface).linear().transpose() *
       frame_placement(model, setting.q_start, task.tool).linear();
@@ -155,33 +155,34 @@ Setting make_setting(const Task& task, const Robot& robot, const Eigen::VectorXd
   if (task.assume_rotors)
     s.assumed_rotors =
         pressing::assume_rotors(s.robot.model, q_start, task.disturbances, light_options(task));
-  SceneSpec scene;
-  scene.tip = {task.tool, task.tip_radius};
-  scene.surface.frame = task.surface_frame;
-  scene.surface.normal = task.normal_base;
-  scene.surface.shape = task.shape;
-  scene.surface.friction = task.friction;
-  scene.surface.stiffness = task.stiffness;
-  scene.surface.damping = task.damping;
-  scene.supports = pressing::supports_at(robot.model, task.standing, q_start);
+  TouchSpec tool{.frame = task.tool,
+                 .radius = task.tip_radius,
+                 .surface = {.frame = task.surface_frame,
+                             .normal = task.normal_base,
+                             .shape = task.shape,
+                             .friction = task.friction,
+                             .stiffness = task.stiffness,
+                             .damping = task.damping}};
+  if (task.point_base)
+    tool.surface.point = *task.point_base;
+  else
+    tool = with_surface_at(s.robot.model, s.q_start, task.normal_base, tool, task.clearance);
+  s.scene.touches = pressing::supports_at(robot.model, task.standing, q_start);
+  s.scene.touches.insert(s.scene.touches.begin(), tool);
   if (task.rest.is_stated())
-    scene.supports.push_back(resting_support(task.rest, robot.model, q_start));
-  if (task.point_base) {
-    scene.surface.point = *task.point_base;
-    s.scene = checked_scene(s.robot.model, scene);
-  } else {
-    s.scene = scene_under_tip(s.robot.model, s.q_start, task.normal_base, scene, task.clearance);
-  }
-  const Eigen::Vector3d n = s.scene.surface.normal;
+    s.scene.touches.push_back(resting_support(task.rest, robot.model, q_start));
+  s.scene = checked_scene(s.robot.model, s.scene);
+  SurfaceSpec& surface = s.scene.tool().surface;
+  const Eigen::Vector3d n = surface.normal;
   s.surface_axes = Reference::surface_with_normal(n).rotation;
-  s.p_start = surface_placement(s.robot.model, s.q_start, s.scene.surface).inverse() *
+  s.p_start = surface_placement(s.robot.model, s.q_start, surface).inverse() *
               frame_placement(s.robot.model, s.q_start, task.tool).translation();
-  const double above = gap(s.scene, s.p_start);
+  const double above = gap(s.scene.tool(), s.p_start);
   s.p_center = s.p_start - above * n;
   if (above <= 0.0) throw Error("the tool starts " + number(-above) + " m inside the surface");
   if (std::isfinite(task.extent)) {
-    s.scene.surface.point = s.p_center - task.tip_radius * n;
-    s.scene.surface.extent = Path(task.path).reach() + task.extent;
+    surface.point = s.p_center - task.tip_radius * n;
+    surface.extent = Path(task.path).reach() + task.extent;
   }
   check_path_on(s, task);
   refuse_weak_rest(task, s);

@@ -31,7 +31,7 @@ Anchor carrier(const Task& task) {
 std::vector<CostTerm> waving_costs(const Task& task, const Setting& setting) {
   if (task.surface_frame.empty()) return {};
   const Eigen::Isometry3d start =
-      surface_placement(setting.robot.model, setting.q_start, setting.scene.surface);
+      surface_placement(setting.robot.model, setting.q_start, setting.scene.tool().surface);
   const auto wave = [waving = task.waving, touch = setting.touch](double time) {
     const double t = std::max(0.0, time - touch);
     return pressing::smooth(t / waving.start_up) *
@@ -111,7 +111,7 @@ struct Builder {
   /// the rotation at the start; on curved surfaces, it turns with the normal at the target.
   Signal rotation() const {
     const Eigen::Matrix3d start =
-        (surface_placement(model, setting.q_start, setting.scene.surface).inverse() *
+        (surface_placement(model, setting.q_start, setting.scene.tool().surface).inverse() *
          frame_placement(model, setting.q_start, task.tool))
             .linear();
     if (task.shape.is_flat()) return Eigen::Quaterniond(start).coeffs();
@@ -216,13 +216,13 @@ void put_on(const Surface& surface, const Eigen::Vector3d& n0, double radius,
 
 TaskPoint point_on(const Task& task, const Setting& setting, const PlanarPoint& point) {
   const auto tangents = setting.surface_axes.leftCols<2>();
-  const Eigen::Vector3d n = setting.scene.surface.normal;
+  const Eigen::Vector3d n = setting.scene.tool().surface.normal;
   TaskPoint result{.p_world = setting.p_center + tangents * point.p,
                    .v_world = tangents * point.v,
                    .a_world = tangents * point.a,
                    .normal_world = n};
   if (task.shape.is_flat()) return result;
-  const Surface surface = surface_of(setting.scene.surface);
+  const Surface surface = surface_of(setting.scene.tool().surface);
   const Eigen::Vector3d in_plane = result.p_world - task.tip_radius * n;
   const Eigen::Vector3d rate = result.v_world, acceleration = result.a_world;
   put_on(surface, n, task.tip_radius, in_plane, rate, result);
@@ -240,7 +240,7 @@ TaskPoint point_on(const Task& task, const Setting& setting, const PlanarPoint& 
 }
 
 TaskPoint task_point(const Task& task, const Setting& setting, const Path& path, double time) {
-  const Eigen::Vector3d n = setting.scene.surface.normal;
+  const Eigen::Vector3d n = setting.scene.tool().surface.normal;
   const Eigen::Vector3d p_above = setting.p_center + task.clearance * n;
   const auto on_surface = [&](double t) { return point_on(task, setting, path.at(t)); };
   TaskPoint result{.normal_world = n};
@@ -280,12 +280,13 @@ ContactSpec surface_contact(const Task& task, const Setting& setting) {
   if (!task.surface_frame.empty()) contact.base = task.surface_frame;
   contact.reference = Reference::surface(setting.surface_axes);
   if (follows_surface(task))
-    contact.reference = Reference::on(surface_of(setting.scene.surface)
+    contact.reference = Reference::on(surface_of(setting.scene.tool().surface)
                                           .at(setting.p_center)
                                           .quadric(setting.p_center, task.tip_radius),
                                       setting.p_center);
   const Eigen::Matrix3d axes_world =
-      surface_placement(setting.robot.model, setting.q_start, setting.scene.surface).linear() *
+      surface_placement(setting.robot.model, setting.q_start, setting.scene.tool().surface)
+          .linear() *
       setting.surface_axes;
   if (task.axes == ForceAxes::World) contact.reference = Reference::centered(axes_world);
   if (task.axes == ForceAxes::Local) {
@@ -310,8 +311,8 @@ PressingTask pressing_task(const Task& task, const Setting& setting,
   };
   if (follows_surface(task))
     pressing.surface =
-        PressedSurface{task.shape, setting.scene.surface.point, setting.scene.surface.normal,
-                       task.tip_radius, task.surface_estimate};
+        PressedSurface{task.shape, setting.scene.tool().surface.point,
+                       setting.scene.tool().surface.normal, task.tip_radius, task.surface_estimate};
   return pressing;
 }
 }  // namespace
@@ -391,7 +392,7 @@ MpcSpec make_mpc(const Task& task, const Setting& setting) {
   for (std::size_t i = 0; i < mpc.schedule.size(); ++i) mpc.schedule[i].name = phase_names()[i];
   mpc.tool = task.tool;
   mpc.base = task.surface_frame;
-  mpc.normal_base = setting.scene.surface.normal;
+  mpc.normal_base = setting.scene.tool().surface.normal;
   mpc.task = pressing_task(task, setting, path);
   set_controller(task, model, mpc);
   pressing::set_standing(task.standing, mpc);
@@ -415,7 +416,7 @@ PressingPath pressing_path(const Task& task, const Setting& setting) {
   const auto path = std::make_shared<const Path>(task.path);
   PressingPath pressed;
   pressed.tool = task.tool;
-  pressed.normal_world = setting.scene.surface.normal;
+  pressed.normal_world = setting.scene.tool().surface.normal;
   // In controllers without plans, time counts from the start of the path.
   pressed.task = [task, setting, path](double t) {
     TaskPoint point = task_point(task, setting, *path, setting.ramp_end + std::max(0.0, t));

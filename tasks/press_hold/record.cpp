@@ -10,6 +10,7 @@ pressing::RecordedRun recorded(const RunName& run, const RunResult& result) {
   const Setting& setting = result.setting;
   pressing::RecordedRun record = pressing::record_of("press_hold", run, result);
   record.force = number(task.force) + " N";
+  record.surface = setting.scene.tool().surface;
   record.surface_axes = setting.surface_axes;
   record.origin_world = setting.p_hold;
   record.phase = 2;  // phase "aside", see phase_names()

@@ -133,17 +133,17 @@ Setting setting_from(const Task& task, const Robot& robot, const Eigen::VectorXd
   s.robot = robot;
   s.q_start = q_start;
   const Model& model = s.robot.model;
-  SceneSpec scene;
-  scene.tip = {task.tool, task.tip_radius};
-  scene.surface.friction = task.friction;
-  scene.surface.stiffness = task.stiffness;
-  scene.surface.damping = task.damping;
-  s.scene = scene_under_tip(model, q_start, task.normal_world, scene, task.clearance);
-  const Eigen::Vector3d n = s.scene.surface.normal;
+  const TouchSpec tool{
+      .frame = task.tool,
+      .radius = task.tip_radius,
+      .surface = {.friction = task.friction, .stiffness = task.stiffness, .damping = task.damping}};
+  s.scene.touches = {with_surface_at(model, q_start, task.normal_world, tool, task.clearance)};
+  SurfaceSpec& surface = s.scene.tool().surface;
+  const Eigen::Vector3d n = surface.normal;
   s.surface_axes = Reference::surface_with_normal(n).rotation;
   s.p_hold = frame_placement(model, q_start, task.tool).translation() - task.clearance * n;
-  s.scene.surface.point = s.p_hold - task.tip_radius * n;
-  s.scene.surface.extent = task.extent;
+  surface.point = s.p_hold - task.tip_radius * n;
+  surface.extent = task.extent;
   s.touch = task.clearance / task.approach_speed;
   s.ramp_end = s.touch + task.ramp_duration;
   s.hold_end = s.ramp_end + task.aside_duration + task.hold_duration;
@@ -246,14 +246,15 @@ Setting make_setting(const Task& task, const Robot& robot) {
   if (task.tool_axis && !searches_posture(task, robot))
     pressing::check_tool_axis(frame_placement(robot.model, setting.q_start, task.tool).linear() *
                                   task.tool_axis->normalized(),
-                              setting.scene.surface.normal, task.search.tilt);
+                              setting.scene.tool().surface.normal, task.search.tilt);
   setting.q_aside = moved_aside(task, robot.model, setting.q_start);
   return setting;
 }
 
 ReachReport check_reach(const Task& task, const Setting& setting, const ReachOptions& options) {
   pressing::ReachWalk walk(setting.robot.model, setting.scene, setting.q_start, options, false);
-  const Eigen::Vector3d above = setting.p_hold + task.clearance * setting.scene.surface.normal;
+  const Eigen::Vector3d above =
+      setting.p_hold + task.clearance * setting.scene.tool().surface.normal;
   if (walk.visit_line(above, setting.p_hold, 0.0)) walk.visit({setting.p_hold, 0.0, task.force});
   return walk.report();
 }
@@ -291,7 +292,7 @@ MpcSpec make_mpc(const Task& task, const Setting& setting) {
     return std::make_unique<Holding>(pressing(spec), spec, task, setting);
   };
   mpc.tool = task.tool;
-  mpc.normal_base = setting.scene.surface.normal;
+  mpc.normal_base = setting.scene.tool().surface.normal;
   mpc.contact_threshold = task.contact_threshold;
   mpc.tick_period = mpc.update_period = 1.0 / task.tick_rate;
   mpc.command_delay = task.command_delay;

@@ -67,6 +67,7 @@ class AdmittanceController final : public Controller {
   AdmittanceController(const Model& model, const AdmittanceSpec& spec);
 
   int nv() const override { return tree_.nv; }
+  std::optional<std::vector<std::string>> touches() const override { return {{spec_.path.tool}}; }
   void reset() noexcept override;
   const Command& tick(const Measurement& measurement) noexcept override;
 
@@ -128,7 +129,7 @@ const Command& AdmittanceController::tick(const Measurement& measurement) noexce
   command_.status = dynamics_.forward(measurement.q, measurement.v, zero_);
   if (is_usable(command_.status)) command_.status = body_.update(measurement.q, measurement.v);
   if (!is_usable(command_.status)) return command_;
-  force_world_ = body_.placement(tool_).linear() * measurement.tool_wrench.head<3>();
+  force_world_ = body_.placement(tool_).linear() * measurement.force_at(0);
   if (!force_world_.allFinite()) {
     command_.status = Status::NotFinite;
     return command_;

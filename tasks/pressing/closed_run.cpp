@@ -28,6 +28,7 @@ class Stopwatch final : public Controller {
     times_.reserve(to_size(ticks / static_cast<double>(every_)) + 2);
   }
   int nv() const override { return timed_->nv(); }
+  std::optional<std::vector<std::string>> touches() const override { return timed_->touches(); }
   Status set_payload(std::string_view frame, const InertiaSpec& payload) override {
     return timed_->set_payload(frame, payload);
   }
@@ -124,7 +125,8 @@ RunEnd advance(const ClosedRun& run, ClosedLoop& loop, const Plant& plant, PlanR
 std::vector<Push> with_frames(std::vector<Push> pushes, const Model& model,
                               const SceneSpec& scene) {
   for (Push& push : pushes)
-    if (push.frame.empty()) push.frame = scene.tip.exists() ? scene.tip.frame : base_frame(model);
+    if (push.frame.empty())
+      push.frame = scene.tool_index() >= 0 ? scene.tool().frame : base_frame(model);
   return pushes;
 }
 
@@ -134,7 +136,7 @@ RunEnd run_closed_loop(const ClosedRun& run, TaskRun& result) {
   SceneSpec scene = plant_scene(run.scene, run.disturbances);
   if (run.standing != nullptr) scene.hoist = hoist_of(model, *run.standing);
   Disturbances disturbances = run.disturbances;
-  if (!scene.tip.exists()) disturbances.pushes = with_frames(disturbances.pushes, model, scene);
+  disturbances.pushes = with_frames(disturbances.pushes, model, scene);
   const auto plant = make_plant(run.plant, model, scene, dt);
   std::optional<PlanRecorder> plans;
   if (run.mpc != nullptr)
@@ -143,13 +145,12 @@ RunEnd run_closed_loop(const ClosedRun& run, TaskRun& result) {
   ClosedLoopOptions options;
   options.control_period = run.period;
   options.max_duration = run.longest + after_fault_of(run);
-  options.support_sensors = run.standing == nullptr || run.standing->force_sensors;
   options.record_every = static_cast<int>(std::ceil(options.max_duration / dt / max_rows));
   Stopwatch stopwatch(run.controller, options.max_duration / run.period);
   std::unique_ptr<Controller> from_home;
   if (run.home != nullptr)
-    from_home = make_home_controller(run.model, *run.home, scene.tip.frame, scene.surface.normal,
-                                     stopwatch);
+    from_home = make_home_controller(run.model, *run.home, scene.tool().frame,
+                                     scene.tool().surface.normal, stopwatch);
   Controller& controller = from_home ? *from_home : stopwatch;
   ClosedLoop loop(*plant, controller, disturbances, options);
   if (const auto estimator = estimator_of(run))
@@ -164,8 +165,9 @@ RunEnd run_closed_loop(const ClosedRun& run, TaskRun& result) {
   if (run.mpc != nullptr) result.fault = run.mpc->fault();
   if (plans) result.plans = plans->take();
   result.trace = loop.trace();
-  if (!scene.supports.empty() && result.trace.rows() > 0)
-    result.standing = measure_standing(result.trace, model, scene.supports);
+  if (const std::vector<TouchSpec> supports = scene.supports();
+      !supports.empty() && result.trace.rows() > 0)
+    result.standing = measure_standing(result.trace, model, supports);
   if (!stopwatch.times().empty()) result.first_tick = stopwatch.times().front();
   result.ticks = summarise(stopwatch.times(), run.period);
   return end;

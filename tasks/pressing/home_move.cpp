@@ -165,10 +165,10 @@ std::optional<HomeMove> home_move(const HomeSpec& home, const Robot& robot,
   if (check_home_move(straight, model, scene, usual).problem != ReachProblem::Collision)
     return straight;
   ReachWalk walk(model, scene, q_start, usual);
-  const Eigen::Vector3d p = frame_placement(model, q_start, scene.tip.frame).translation();
+  const Eigen::Vector3d p = frame_placement(model, q_start, scene.tool().frame).translation();
   double before = 0.0;
   for (const double lift : {0.05, 0.1, 0.2}) {
-    const Eigen::Vector3d& n = scene.surface.normal;
+    const Eigen::Vector3d& n = scene.tool().surface.normal;
     if (!walk.visit_line(p + before * n, p + lift * n, 0.0)) break;
     before = lift;
     HomeMove lifted = move_over(home, model, {q_home, walk.posture(), q_start});

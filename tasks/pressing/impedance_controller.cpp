@@ -30,6 +30,7 @@ class ImpedanceController final : public Controller {
   ImpedanceController(const Model& model, const ImpedanceSpec& spec);
 
   int nv() const override { return tree_.nv; }
+  std::optional<std::vector<std::string>> touches() const override { return {{spec_.path.tool}}; }
   void reset() noexcept override;
   const Command& tick(const Measurement& measurement) noexcept override;
 
@@ -110,7 +111,7 @@ const Command& ImpedanceController::tick(const Measurement& measurement) noexcep
 Status ImpedanceController::update_model(const Measurement& measurement) {
   Status status = body_.update(measurement.q, measurement.v);
   if (!is_usable(status)) return status;
-  force_world_ = body_.placement(tool_).linear() * measurement.tool_wrench.head<3>();
+  force_world_ = body_.placement(tool_).linear() * measurement.force_at(0);
   if (!force_world_.allFinite()) return Status::NotFinite;
   status = dynamics_.forward(measurement.q, measurement.v, zero_);
   if (!is_usable(status)) return status;

@@ -25,28 +25,29 @@ class ReachWalk::Impl {
   Impl(const Model& model, const SceneSpec& scene, const Eigen::VectorXd& q_start,
        const ReachOptions& options, bool has_path)
       : options_(options),
-        scene_(scene),
-        surface_(surface_of(scene.surface)),
-        surface_axes_(Reference::surface_with_normal(scene.surface.normal).rotation),
+        touch_(scene.tool()),
+        surface_(surface_of(touch_.surface)),
+        surface_axes_(Reference::surface_with_normal(touch_.surface.normal).rotation),
         model_(model),
         body_(model_),
-        tool_(body_.frame(scene.tip.frame)),
+        tool_(body_.frame(touch_.frame)),
         q_start_(q_start),
         q_(q_start),
         has_path_(has_path),
-        carrying_(scene.supports) {
+        supports_(scene.supports()),
+        carrying_(supports_) {
     report_.joint_margin = report_.clearance = std::numeric_limits<double>::infinity();
     find_skeleton();
     evaluate(q_);
     start_rotation_ = body_.placement(tool_).linear();
     start_com_ = body_.com();
-    for (const SupportSpec& support : scene_.supports)
+    for (const TouchSpec& support : supports_)
       stood_.push_back(body_.placement(body_.frame(support.frame)));
   }
 
   void load(const std::string& support, const Eigen::Vector3d& force_world) {
     const auto at = std::find_if(carrying_.begin(), carrying_.end(),
-                                 [&](const SupportSpec& each) { return each.frame == support; });
+                                 [&](const TouchSpec& each) { return each.frame == support; });
     if (at == carrying_.end())
       throw Error("reach check: " + in_quotes(support) + " is not a support of the scene");
     carrying_.erase(at);
@@ -142,14 +143,14 @@ class ReachWalk::Impl {
       footing.allowed = Eigen::MatrixXd::Identity(model_.nv, model_.nv);
       return footing;
     }
-    const Eigen::MatrixXd J = support_jacobian(model_, body_, scene_.supports) * free.asDiagonal();
+    const Eigen::MatrixXd J = support_jacobian(model_, body_, supports_) * free.asDiagonal();
     Eigen::VectorXd off(J.rows());
     Eigen::Index row = 0;
     for (std::size_t i = 0; i < stood_.size(); ++i) {
-      const Eigen::Isometry3d at = body_.placement(body_.frame(scene_.supports[i].frame));
+      const Eigen::Isometry3d at = body_.placement(body_.frame(supports_[i].frame));
       off.segment<3>(row) = stood_[i].translation() - at.translation();
       row += 3;
-      if (!scene_.supports[i].is_sole()) continue;
+      if (!supports_[i].is_rectangle()) continue;
       const Eigen::AngleAxisd turn(Eigen::Matrix3d(stood_[i].linear() * at.linear().transpose()));
       off.segment<3>(row) = turn.angle() * turn.axis();
       row += 3;
@@ -257,7 +258,7 @@ class ReachWalk::Impl {
   /// Collects the joints that carry the tool, each with a frame on its body. Leaves out the joint
   /// at the world, because its origin does not move.
   void find_skeleton() {
-    const Frame& tip = model_.frames[to_size(model_.frame_index(scene_.tip.frame))];
+    const Frame& tip = model_.frames[to_size(model_.frame_index(touch_.frame))];
     int last = tip.body;
     // Excludes a joint with its origin at the tip, because the tip touches the surface.
     if (last >= 0 && tip.placement.translation().norm() < options_.link_radius)
@@ -278,7 +279,7 @@ class ReachWalk::Impl {
   /// Returns the distance between a point and the surface with the material behind it [m]; negative
   /// inside.
   double distance_at(const Eigen::Vector3d& p_world) const {
-    const SurfaceSpec& surface = scene_.surface;
+    const SurfaceSpec& surface = touch_.surface;
     const double height = surface_.at(p_world).distance;
     if (std::isinf(surface.extent)) return height;
     const Eigen::Vector3d p = surface_axes_.transpose() * (p_world - surface.point);
@@ -302,7 +303,7 @@ class ReachWalk::Impl {
   }
 
   bool tip_stays_outside(const ReachStop& stop) {
-    const double distance = distance_at(stop.p_world), radius = scene_.tip.radius;
+    const double distance = distance_at(stop.p_world), radius = touch_.radius;
     if (distance >= radius) return true;
     refuse(ReachProblem::Collision, stop, "", distance, radius,
            "the tool's centre would be " + number(std::abs(distance)) +
@@ -319,7 +320,7 @@ class ReachWalk::Impl {
       double distance = distance_at(origins[i]);
       std::size_t nearest = i;
       // The point of a link nearest to an infinite plane is one of the link's ends.
-      if (i + 1 < skeleton_.size() && std::isfinite(scene_.surface.extent)) {
+      if (i + 1 < skeleton_.size() && std::isfinite(touch_.surface.extent)) {
         const double fraction = nearest_between(origins[i], origins[i + 1]);
         const double between = distance_at(origins[i] + fraction * (origins[i + 1] - origins[i]));
         if (between < distance) {
@@ -407,7 +408,7 @@ class ReachWalk::Impl {
   };
 
   ReachOptions options_;
-  const SceneSpec& scene_;
+  TouchSpec touch_;  ///< Tool.
   Surface surface_;
   Eigen::Matrix3d surface_axes_;
   const Model& model_;
@@ -416,7 +417,8 @@ class ReachWalk::Impl {
   const Eigen::VectorXd& q_start_;
   Eigen::VectorXd q_;
   bool has_path_;
-  std::vector<SupportSpec> carrying_;  ///< Supports without a stated force.
+  std::vector<TouchSpec> supports_;
+  std::vector<TouchSpec> carrying_;  ///< Supports without a stated force.
   std::vector<Load> loads_;
   Eigen::Matrix3d start_rotation_;
   Eigen::Vector3d start_com_;

@@ -30,23 +30,24 @@ std::vector<std::string> run_file_names() {
           "run.html",  "run.mcap",     "force.svg", "path.svg",  "torques.svg",     "solver.svg"};
 }
 
-void add_run(RunPage& page, const TaskRun& run, const SceneSpec& scene,
+void add_run(RunPage& page, const TaskRun& run, const SceneSpec& scene, const SurfaceSpec& surface,
              const Disturbances& disturbances, int record_every) {
   page.outcome = run.outcome;
   page.fault = page_fault(run.fault);
-  const SceneSpec plant_has = plant_scene(scene, disturbances);
-  const SurfaceSpec& plant = plant_has.surface;
-  page.tool_frame = scene.tip.frame;
-  if (scene.tip.exists()) page.tip_radius = scene.tip.radius;
-  page.surface = {.point = scene.surface.point,
-                  .axes = Reference::surface_with_normal(scene.surface.normal).rotation,
+  const SurfaceSpec plant = plant_surface(surface, disturbances);
+  if (scene.tool_index() >= 0) {
+    page.tool_frame = scene.tool().frame;
+    page.tip_radius = scene.tool().radius;
+  }
+  page.surface = {.point = surface.point,
+                  .axes = Reference::surface_with_normal(surface.normal).rotation,
                   .true_point = plant.point,
                   .true_axes = Reference::surface_with_normal(plant.normal).rotation,
                   .friction = plant.friction,
                   .extent = plant.extent};
-  if (!scene.surface.shape.is_flat()) page.surface.nominal = surface_of(scene.surface);
+  if (!surface.shape.is_flat()) page.surface.nominal = surface_of(surface);
   if (!plant.shape.is_flat()) add_curved_surface(page, surface_of(plant));
-  page.supports = plant_has.supports;
+  page.supports = scene.supports();
   if (!page.supports.empty()) page.plant_model = plant_model(page.robot.model, disturbances);
   page.pushes = with_frames(disturbances.pushes, page.robot.model, scene);
   if (run.standing)

@@ -34,7 +34,8 @@ std::vector<PlotFile> run_plots(const PlottedRun& run);
 
 /// Adds outcome, fault, surface, plans and rows of the trace to the HTML page of a run. The page
 /// must already contain robot and phases. `scene`: nominal scene, which the controller assumes.
-void add_run(RunPage& page, const TaskRun& run, const SceneSpec& scene,
+/// `surface`: nominal surface to draw, in the world.
+void add_run(RunPage& page, const TaskRun& run, const SceneSpec& scene, const SurfaceSpec& surface,
              const Disturbances& disturbances, int record_every);
 
 }  // namespace burnish::pressing

@@ -44,7 +44,7 @@ RunPage make_run_page(const RecordedRun& r, int record_every) {
   page.phase_names = r.phase_names;
   page.path_origin_world = r.origin_world;
   page.path_u = page.path_w = Eigen::VectorXd::Zero(2);
-  add_run(page, r.run, r.scene, r.disturbances, record_every);
+  add_run(page, r.run, r.scene, r.surface, r.disturbances, record_every);
   page.solver = PageSolver{.period_ms = 1e3 * r.update_period};
   if (std::isfinite(r.deadline)) page.solver->deadline_ms = 1e3 * r.deadline;
   return page;

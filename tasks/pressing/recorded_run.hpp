@@ -42,6 +42,8 @@ struct RecordedRun {
 
   // Set by each task.
   std::string force = {};  ///< Force with unit, such as "30 N"; empty if the task does not press.
+  /// Nominal surface that the page draws, in the world.
+  SurfaceSpec surface = {};
   /// Axes of the surface in the world, as columns: two tangents and the normal.
   Eigen::Matrix3d surface_axes = Eigen::Matrix3d::Identity();
   /// Origin of the coordinates along the surface, in the world [m].

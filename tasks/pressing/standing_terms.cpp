@@ -97,22 +97,25 @@ double degrees_from_vertical(const Eigen::Isometry3d& at) {
 }
 }  // namespace
 
-std::vector<SupportSpec> supports_at(const Model& model, const Standing& standing,
-                                     const Eigen::VectorXd& q) {
-  std::vector<SupportSpec> supports;
+std::vector<TouchSpec> supports_at(const Model& model, const Standing& standing,
+                                   const Eigen::VectorXd& q) {
+  std::vector<TouchSpec> supports;
   const Ground ground = ground_of(model, standing);
   // Indentation of the compliant ground under the weight [m].
   const double sinks = weight_per_foot(model, standing) / ground.stiffness;
   for (const std::string& foot : standing.feet) {
-    SupportSpec support{.frame = foot,
-                        .half_x = standing.half_x,
-                        .half_y = standing.half_y,
-                        .radius = standing.radius,
-                        .friction = standing.friction,
-                        .stiffness = ground.stiffness,
-                        .damping = ground.damping};
+    TouchSpec support{
+        .frame = foot,
+        .half_x = standing.half_x,
+        .half_y = standing.half_y,
+        .radius = standing.radius,
+        .surface = {.friction = standing.friction,
+                    .stiffness = ground.stiffness,
+                    .damping = ground.damping},
+        .is_support = true,
+        .sensor = standing.force_sensors ? WrenchSensor::Automatic : WrenchSensor::None};
     const Eigen::Isometry3d at = frame_placement(model, q, foot);
-    support.point = at.translation();
+    support.surface.point = at.translation();
     constexpr double upright = 0.98;  // cosine of 11 degrees, the largest tilt
     if (standing.has_soles() && !(at.linear()(2, 2) > upright))
       throw EntryError(
@@ -125,7 +128,7 @@ std::vector<SupportSpec> supports_at(const Model& model, const Standing& standin
               "level "
               "soles; a frame whose z axis points up from the sole (key `frames` of robot.yaml); "
               "point feet (standing.half_x and half_y 0)");
-    support.point.z() += sinks - (standing.has_soles() ? 0.0 : standing.radius);
+    support.surface.point.z() += sinks - (standing.has_soles() ? 0.0 : standing.radius);
     supports.push_back(support);
   }
   return supports;
@@ -140,15 +143,15 @@ HoistSpec hoist_of(const Model& model, const Standing& standing) {
 }
 
 Eigen::MatrixXd support_jacobian(const Model& model, const RigidBody& body,
-                                 const std::vector<SupportSpec>& supports) {
+                                 const std::vector<TouchSpec>& supports) {
   Eigen::Index rows = 0;
-  for (const SupportSpec& support : supports) rows += support.is_sole() ? 6 : 3;
+  for (const TouchSpec& support : supports) rows += support.is_rectangle() ? 6 : 3;
   Eigen::MatrixXd J(rows, model.nv);
   rows = 0;
   FrameDerivatives at;
-  for (const SupportSpec& support : supports) {
+  for (const TouchSpec& support : supports) {
     body.frame_derivatives(body.frame(support.frame), Reference::centered(), at);
-    const Eigen::Index held = support.is_sole() ? 6 : 3;
+    const Eigen::Index held = support.is_rectangle() ? 6 : 3;
     J.middleRows(rows, held) = at.jacobian.topRows(held);
     rows += held;
   }
@@ -156,7 +159,7 @@ Eigen::MatrixXd support_jacobian(const Model& model, const RigidBody& body,
 }
 
 Eigen::VectorXd torque_on_supports(const Model& model, const RigidBody& body,
-                                   const std::vector<SupportSpec>& supports,
+                                   const std::vector<TouchSpec>& supports,
                                    const Eigen::VectorXd& needed) {
   const Joint* base = floating_base(model);
   if (supports.empty() || base == nullptr) return needed;
@@ -252,9 +255,9 @@ double min_load_of(const Model& model, const Standing& standing) {
   return standing.min_load.value_or(fraction * weight_per_foot(model, standing));
 }
 
-std::vector<SupportSpec> within_plans(std::vector<SupportSpec> feet, const Standing& standing) {
-  for (SupportSpec& foot : feet) {
-    foot.friction = standing.plan_friction;
+std::vector<TouchSpec> within_plans(std::vector<TouchSpec> feet, const Standing& standing) {
+  for (TouchSpec& foot : feet) {
+    foot.surface.friction = standing.plan_friction;
     foot.half_x *= standing.plan_sole;
     foot.half_y *= standing.plan_sole;
   }

@@ -21,8 +21,8 @@ void check_standing(const Model& model, const Standing& standing);
 
 /// Returns the feet as supports on the ground, at their positions for `q` (nq). Throws EntryError
 /// for a sole whose z axis does not point up.
-std::vector<SupportSpec> supports_at(const Model& model, const Standing& standing,
-                                     const Eigen::VectorXd& q);
+std::vector<TouchSpec> supports_at(const Model& model, const Standing& standing,
+                                   const Eigen::VectorXd& q);
 
 /// Returns a warning if the stated ground stiffness is at least ten times the automatic one, else
 /// an empty string. On such ground light feet bounce, and the step of the plant may be too long.
@@ -34,13 +34,13 @@ HoistSpec hoist_of(const Model& model, const Standing& standing);
 /// Returns the Jacobian of the directions that supports hold, at the state of `body`: 6 rows per
 /// sole, 3 rows per point foot. Rows are in world axes, at the frames of the supports.
 Eigen::MatrixXd support_jacobian(const Model& model, const RigidBody& body,
-                                 const std::vector<SupportSpec>& supports);
+                                 const std::vector<TouchSpec>& supports);
 
 /// Returns motor torques (nv, zero for the base) that, together with forces of the supports,
 /// produce the generalized forces `needed` (nv) [Nm, N]. The result is the least-squares solution
 /// of smallest norm. Without supports, returns `needed`.
 Eigen::VectorXd torque_on_supports(const Model& model, const RigidBody& body,
-                                   const std::vector<SupportSpec>& supports,
+                                   const std::vector<TouchSpec>& supports,
                                    const Eigen::VectorXd& needed);
 
 /// Returns costs on balance and momentum, for every stage and the end of the horizon.
@@ -66,7 +66,7 @@ Disturbances for_feet(const Model& model, const Standing& standing, Disturbances
 double min_load_of(const Model& model, const Standing& standing);
 
 /// Returns `feet` with the friction and the sole sizes that plans assume.
-std::vector<SupportSpec> within_plans(std::vector<SupportSpec> feet, const Standing& standing);
+std::vector<TouchSpec> within_plans(std::vector<TouchSpec> feet, const Standing& standing);
 
 /// Adds terms for every foot to a stage: constraints on friction, load and pressure, and costs on
 /// internal forces between the feet. Terms for a direction that a foot does not hold are left out.

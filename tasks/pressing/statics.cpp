@@ -29,13 +29,13 @@ double step_ratio(const Eigen::VectorXd& at, const Eigen::VectorXd& step) {
 Statics::Statics(const Model& model, const StaticsSpec& spec) : spec_(spec), nv_(model.nv) {
   const RigidBody body(model);
   weight_ = model.total_mass() * model.gravity.norm();
-  for (const SupportSpec& foot : spec.feet) feet_.push_back(body.frame(foot.frame));
+  for (const TouchSpec& foot : spec.feet) feet_.push_back(body.frame(foot.frame));
   for (const std::string& hand : spec.hands) hands_.push_back(body.frame(hand));
   for (int k = base_rows; k < nv_; ++k)
     if (std::isfinite(spec.torque_limit[k])) limited_.push_back(k);
   name_rows(model);
   forces_ = 0;
-  for (const SupportSpec& foot : spec.feet) forces_ += foot.is_sole() ? 6 : 3;
+  for (const TouchSpec& foot : spec.feet) forces_ += foot.is_rectangle() ? 6 : 3;
   if (spec.hand_friction > 0.0) forces_ += 2 * static_cast<int>(hands_.size());
   ++forces_;  // for the force F of each hand
   // The last unknown is the violation that all rows share.
@@ -65,10 +65,10 @@ void Statics::name_rows(const Model& model) {
   const auto add = [&](int count, const std::string& name) {
     for (int i = 0; i < count; ++i) names_.push_back(name);
   };
-  for (const SupportSpec& foot : spec_.feet) {
+  for (const TouchSpec& foot : spec_.feet) {
     add(octagon, "friction of " + foot.frame);
     add(1, "load of " + foot.frame);
-    if (foot.is_sole()) add(6, "pressure of " + foot.frame);
+    if (foot.is_rectangle()) add(6, "pressure of " + foot.frame);
   }
   if (spec_.hand_friction > 0.0)
     for (const std::string& hand : spec_.hands) add(octagon, "friction of " + hand);
@@ -90,8 +90,8 @@ void Statics::fill_cone(Eigen::Index x, Eigen::Index y, Eigen::Index z, double f
 
 void Statics::fill_foot(const RigidBody& body, std::size_t foot, Eigen::Index column,
                         Eigen::Index& row) noexcept {
-  const SupportSpec& support = spec_.feet[foot];
-  const int held = support.is_sole() ? 6 : 3;
+  const TouchSpec& support = spec_.feet[foot];
+  const int held = support.is_rectangle() ? 6 : 3;
   body.frame_derivatives(feet_[foot], Reference::centered(), at_);
   // The force on a sole is in the axes of the sole's frame, the force on a point foot in world
   // axes.
@@ -106,13 +106,13 @@ void Statics::fill_foot(const RigidBody& body, std::size_t foot, Eigen::Index co
         force_map_(k, column + 3 * half + i) = unit * sum;
       }
     }
-  fill_cone(column, column + 1, column + 2, support.friction, row);
+  fill_cone(column, column + 1, column + 2, support.surface.friction, row);
   G_(row, column + 2) = -1.0;
   h_[row++] = -spec_.min_load / weight_;
   if (held < 6) return;
   const std::array<double, 3> max_arms{
       support.half_y, support.half_x,
-      support.friction * std::hypot(support.half_x, support.half_y) / 3.0};
+      support.surface.friction * std::hypot(support.half_x, support.half_y) / 3.0};
   for (int i = 0; i < 3; ++i)
     for (const double sign : {-1.0, 1.0}) {
       G_(row, column + 3 + i) = sign;
@@ -128,7 +128,7 @@ void Statics::fill(const RigidBody& body) noexcept {
   Eigen::Index row = 0, column = 0;
   for (std::size_t foot = 0; foot < feet_.size(); ++foot) {
     fill_foot(body, foot, column, row);
-    column += spec_.feet[foot].is_sole() ? 6 : 3;
+    column += spec_.feet[foot].is_rectangle() ? 6 : 3;
   }
   const Eigen::Index force = forces_ - 1;
   const Eigen::Matrix3d axes = Reference::surface_with_normal(spec_.normal_world).rotation;

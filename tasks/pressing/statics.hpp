@@ -14,7 +14,7 @@ namespace burnish::pressing {
 /// Limits of a robot that stands and pushes.
 struct StaticsSpec {
   /// Feet on level ground. Foot forces stay within friction, centres of pressure within the soles.
-  std::vector<SupportSpec> feet;
+  std::vector<TouchSpec> feet;
   double min_load = 0.0;  ///< Smallest load of each foot [N].
   /// Frames that push, all with equal forces; empty: the robot only stands.
   std::vector<std::string> hands = {};

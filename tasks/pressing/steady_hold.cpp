@@ -21,13 +21,13 @@ constexpr double velocity_cutoff = 100.0 * std::numbers::pi;
 
 /// Returns the stiffness [N/m, Nm/rad] of the ground along the rows of support_jacobian(). A sole
 /// stands on its four corners.
-Eigen::VectorXd ground_stiffness(const std::vector<SupportSpec>& feet) {
+Eigen::VectorXd ground_stiffness(const std::vector<TouchSpec>& feet) {
   std::vector<double> rows;
-  for (const SupportSpec& foot : feet) {
+  for (const TouchSpec& foot : feet) {
     const double x = foot.half_x * foot.half_x, y = foot.half_y * foot.half_y;
-    rows.insert(rows.end(), 3, foot.stiffness);
-    if (foot.is_sole())
-      rows.insert(rows.end(), {foot.stiffness * y, foot.stiffness * x, foot.stiffness * (x + y)});
+    const double k = foot.surface.stiffness;
+    rows.insert(rows.end(), 3, k);
+    if (foot.is_rectangle()) rows.insert(rows.end(), {k * y, k * x, k * (x + y)});
   }
   return Eigen::Map<const Eigen::VectorXd>(rows.data(), static_cast<Eigen::Index>(rows.size()));
 }
@@ -35,7 +35,7 @@ Eigen::VectorXd ground_stiffness(const std::vector<SupportSpec>& feet) {
 /// Simulation of a standing robot that the fallback holds, linearized about the start.
 class HeldMotion {
  public:
-  HeldMotion(const MpcSpec& mpc, const std::vector<SupportSpec>& feet)
+  HeldMotion(const MpcSpec& mpc, const std::vector<TouchSpec>& feet)
       : tick_(mpc.tick_period), step_(plant_step(mpc.tick_period)) {
     const Model& model = mpc.problem.model;
     const Eigen::VectorXd q = mpc.problem.initial_state.head(model.nq);
@@ -48,7 +48,7 @@ class HeldMotion {
     const Eigen::MatrixXd J = support_jacobian(model, body, feet);
     const Eigen::MatrixXd K = J.transpose() * ground_stiffness(feet).asDiagonal() * J;
     // Ratio of damping to stiffness of the ground [s].
-    const double lag = feet.front().damping / feet.front().stiffness;
+    const double lag = feet.front().surface.damping / feet.front().surface.stiffness;
     // Implicit Euler steps, because the ground is stiff for a light foot.
     const Eigen::MatrixXd A = M + step_ * (lag + step_) * K;
     v_by_v_ = solve_positive(A, M);
@@ -114,7 +114,7 @@ class HeldMotion {
 
 }  // namespace
 
-Fallback steady_fallback(const MpcSpec& mpc, const std::vector<SupportSpec>& feet) {
+Fallback steady_fallback(const MpcSpec& mpc, const std::vector<TouchSpec>& feet) {
   // Gain margins, chosen by hand. The second margin is used if no entry of `scales` reaches the
   // first one.
   constexpr std::array margins{2.0, 1.0};

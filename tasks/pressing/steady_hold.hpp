@@ -17,6 +17,6 @@ namespace burnish::pressing {
 /// achieves this, it must decay with the returned gains. If that fails too, mpc.fallback is
 /// returned unchanged. Robots with loops are not tested. Throws Error for a start that cannot be
 /// evaluated.
-Fallback steady_fallback(const MpcSpec& mpc, const std::vector<SupportSpec>& feet);
+Fallback steady_fallback(const MpcSpec& mpc, const std::vector<TouchSpec>& feet);
 
 }  // namespace burnish::pressing

@@ -271,8 +271,8 @@ const Description& description_of(const Setting* /*of*/) {
                  "Configuration at the start, nq")
           .required()
           .field("scene", &S::scene,
-                 "Scene as the controller assumes it: feet and hands are supports, the wall is "
-                 "the surface")
+                 "Scene as the controller assumes it: the feet are supports on the ground, the "
+                 "hands on the wall")
           .more("The feet come before the hands. The robot has no tool")
           .required()
           .field("wall_axes", &S::wall_axes,

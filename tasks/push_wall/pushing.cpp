@@ -65,7 +65,7 @@ void Pushing::reset() noexcept {
 }
 
 void Pushing::filter_forces(const TaskView& view) noexcept {
-  const auto& wrenches = view.measurement.support_wrenches;
+  const auto& wrenches = view.support_wrenches;
   const auto first = static_cast<Eigen::Index>(feet_.size());
   if (wrenches.cols() != first + 2) return;
   for (int h = 0; h < 2; ++h) {

@@ -11,6 +11,7 @@ pressing::RecordedRun recorded(const RunName& run, const RunResult& result) {
   const Setting& setting = result.setting;
   pressing::RecordedRun record = pressing::record_of("push_wall", run, result);
   record.force = number(task.force) + " N of each hand";
+  record.surface = setting.scene.touches.back().surface;
   record.origin_world = setting.p_hands.col(1);
   record.update_period = 1.0 / task.update_rate;
   record.figures =

@@ -209,11 +209,12 @@ std::string outcome_of(const Task& task, const RunResult& result, const pressing
 /// wall.
 SceneSpec with_true_wall(const Task& task, const SceneSpec& nominal) {
   SceneSpec scene = nominal;
-  const SurfaceSpec wall = plant_scene(nominal, task.disturbances).surface;
-  for (std::size_t i = task.standing.feet.size(); i < scene.supports.size(); ++i) {
-    scene.supports[i].point = wall.point;
-    scene.supports[i].normal = wall.normal;
-    scene.supports[i].friction = wall.friction;
+  const SurfaceSpec wall = plant_surface(scene.touches.back().surface, task.disturbances);
+  for (std::size_t i = task.standing.feet.size(); i < scene.touches.size(); ++i) {
+    SurfaceSpec& surface = scene.touches[i].surface;
+    surface.point = wall.point;
+    surface.normal = wall.normal;
+    surface.friction = wall.friction;
   }
   return scene;
 }

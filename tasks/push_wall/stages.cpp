@@ -39,7 +39,7 @@ Eigen::Vector3d com_at(const Setting& setting, double force) {
   if (!(length > 0.0)) return setting.com;
   const double beyond = force * length - setting.room;
   const double shift = 0.5 * (beyond + std::hypot(beyond, rounding));
-  const double height = setting.com.z() - setting.scene.supports.front().point.z();
+  const double height = setting.com.z() - setting.scene.touches.front().surface.point.z();
   const double down = height - std::sqrt(std::max(0.0, height * height - shift * shift));
   return setting.com + shift / length * setting.com_per_force - down * Eigen::Vector3d::UnitZ();
 }
@@ -142,7 +142,7 @@ struct Builder {
     RigidBody body(model);
     if (!is_usable(body.update(setting.q_start, Eigen::VectorXd::Zero(model.nv))))
       throw Error("the starting posture cannot be evaluated");
-    std::vector<SupportSpec> supports = setting.scene.supports;
+    std::vector<TouchSpec> supports = setting.scene.touches;
     supports.resize(task.standing.feet.size());
     return pressing::torque_on_supports(model, body, supports, body.gravity_torque())
         .tail(model.nv - 6);
@@ -203,22 +203,16 @@ void place_wall(const Task& task, Setting& s) {
 /// supports.
 SceneSpec make_scene(const Task& task, const Setting& s) {
   const Eigen::Vector3d n = s.wall_axes.col(2);
+  const SurfaceSpec wall{.point = s.p_hands.rowwise().mean() - task.tip_radius * n,
+                         .normal = n,
+                         .friction = task.wall.friction,
+                         .stiffness = task.wall.stiffness,
+                         .damping = task.wall.damping};
   SceneSpec scene;
-  scene.tip.frame.clear();
-  scene.surface.point = s.p_hands.rowwise().mean() - task.tip_radius * n;
-  scene.surface.normal = n;
-  scene.surface.friction = task.wall.friction;
-  scene.surface.stiffness = task.wall.stiffness;
-  scene.surface.damping = task.wall.damping;
-  scene.supports = pressing::supports_at(s.robot.model, task.standing, s.q_start);
+  scene.touches = pressing::supports_at(s.robot.model, task.standing, s.q_start);
   each_hand(task, [&](const std::string& hand, int) {
-    scene.supports.push_back({.frame = hand,
-                              .radius = task.tip_radius,
-                              .point = scene.surface.point,
-                              .normal = n,
-                              .friction = task.wall.friction,
-                              .stiffness = task.wall.stiffness,
-                              .damping = task.wall.damping});
+    scene.touches.push_back(
+        {.frame = hand, .radius = task.tip_radius, .surface = wall, .is_support = true});
   });
   return checked_scene(s.robot.model, scene);
 }
@@ -240,7 +234,7 @@ Eigen::Vector3d com_per_force(const Setting& s, double weight, double ground) {
 double room_of(const Setting& s, std::size_t feet) {
   Eigen::Vector3d middle = Eigen::Vector3d::Zero();
   for (std::size_t i = 0; i < feet; ++i)
-    middle += s.scene.supports[i].point / static_cast<double>(feet);
+    middle += s.scene.touches[to_size(i)].surface.point / static_cast<double>(feet);
   return std::max(0.0, (s.com - middle).dot(s.com_per_force.normalized()));
 }
 
@@ -278,7 +272,7 @@ Setting make_setting(const Task& task, const Robot& robot) {
     throw EntryError("posture", "the posture cannot be evaluated");
   s.com = body.com();
   s.com_per_force = com_per_force(s, body.mass() * robot.model.gravity.norm(),
-                                  s.scene.supports.front().point.z());
+                                  s.scene.touches.front().surface.point.z());
   s.room = room_of(s, task.standing.feet.size());
   s.touch = task.settle_duration + task.clearance / task.approach_speed;
   s.ramp_end = s.touch + task.ramp_duration;
@@ -299,7 +293,7 @@ void refuse_out_of_reach(const Task& task, const Setting& setting) {
     body.frame_derivatives(body.frame(hand), Reference::centered(), at);
     needed -= task.force * (at.jacobian.topRows<3>().transpose() * setting.wall_axes.col(2));
   }
-  std::vector<SupportSpec> feet = setting.scene.supports;
+  std::vector<TouchSpec> feet = setting.scene.touches;
   feet.resize(task.standing.feet.size());
   const Eigen::VectorXd torque = pressing::torque_on_supports(model, body, feet, needed);
   const Eigen::VectorXd limit = pressing::torque_limit(model, task.constraints);
@@ -331,7 +325,7 @@ double force_at(const Task& task, const Setting& setting, const SearchState& for
 
 pressing::Statics make_statics(const Task& task, const Setting& setting) {
   pressing::StaticsSpec spec{
-      .feet = setting.scene.supports,
+      .feet = setting.scene.touches,
       .min_load = pressing::min_load_of(setting.robot.model, task.standing),
       .hands = task.hands,
       .normal_world = setting.wall_axes.col(2),

@@ -166,10 +166,11 @@ const Description& description_of(const Setting* /*of*/) {
                  "Configuration at the start, nq")
           .required()
           .field("scene", &S::scene,
-                 "Scene as the controller assumes it: the feet are supports, the ground is the "
-                 "surface")
+                 "Scene as the controller assumes it: the feet are supports on the ground")
           .more("The robot has no tool")
           .required()
+          .field("ground", &S::ground,
+                 "Ground: a plane at the height of the lowest foot, in the middle of the feet")
           .field("base", &S::base,
                  "Name of a frame on the body of the floating base")
           .required()

@@ -30,7 +30,7 @@ double amplitude(const Sway& sway, int direction) {
 pressing::Statics make_statics(const Task& task, const Setting& setting) {
   const Model& model = setting.robot.model;
   pressing::StaticsSpec spec{
-      .feet = pressing::within_plans(setting.scene.supports, setting.standing),
+      .feet = pressing::within_plans(setting.scene.touches, setting.standing),
       .min_load = pressing::min_load_of(model, setting.standing),
       .torque_limit = pressing::torque_limit(model, task.constraints)};
   return {model, spec};
@@ -132,7 +132,7 @@ Sway sway_for_height(const Task& task, const Setting& setting) {
   // Largest shift as a fraction of the height of the centre of mass; slightly larger than in the
   // shipped tasks.
   const double max_shift = setting.standing.has_soles() ? 0.05 : 0.11;
-  const double height = setting.com.z() - setting.scene.surface.point.z();
+  const double height = setting.com.z() - setting.ground.point.z();
   Sway sway = task.sway;
   sway.shift = sway.shift.cwiseMin(max_shift * height).cwiseMax(-max_shift * height);
   return sway;

@@ -8,6 +8,7 @@ pressing::RecordedRun recorded(const RunName& run, const RunResult& result) {
   const Task& task = run.spec.task;
   const Setting& setting = result.setting;
   pressing::RecordedRun record = pressing::record_of("stand", run, result);
+  record.surface = setting.ground;
   record.origin_world = setting.p_base;
   record.update_period = 1.0 / task.update_rate;
   record.figures =

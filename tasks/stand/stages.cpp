@@ -79,7 +79,7 @@ struct Builder {
     RigidBody body(model);
     if (!is_usable(body.update(setting.q_start, Eigen::VectorXd::Zero(model.nv))))
       throw Error("the starting posture cannot be evaluated");
-    return pressing::torque_on_supports(model, body, setting.scene.supports, body.gravity_torque())
+    return pressing::torque_on_supports(model, body, setting.scene.touches, body.gravity_torque())
         .tail(model.nv - 6);
   }
   Stage stage() const {
@@ -94,18 +94,21 @@ struct Builder {
   }
 };
 
-/// Returns the scene with the feet on the ground. The ground is also the surface that is drawn.
+/// Returns the scene with the feet on the ground.
 SceneSpec make_scene(const Setting& s) {
   SceneSpec scene;
-  scene.tip.frame.clear();
-  scene.supports = pressing::supports_at(s.robot.model, s.standing, s.q_start);
-  Eigen::Vector3d ground = Eigen::Vector3d::Zero();
-  for (const SupportSpec& foot : scene.supports)
-    ground += foot.point / static_cast<double>(scene.supports.size());
-  for (const SupportSpec& foot : scene.supports) ground.z() = std::min(ground.z(), foot.point.z());
-  scene.surface.point = ground;
-  scene.surface.friction = s.standing.friction;
+  scene.touches = pressing::supports_at(s.robot.model, s.standing, s.q_start);
   return checked_scene(s.robot.model, scene);
+}
+
+/// Returns the ground to draw: a plane at the height of the lowest foot, in the middle of the feet.
+SurfaceSpec ground_below(const std::vector<TouchSpec>& feet) {
+  SurfaceSpec ground{.friction = feet.front().surface.friction};
+  for (const TouchSpec& foot : feet)
+    ground.point += foot.surface.point / static_cast<double>(feet.size());
+  for (const TouchSpec& foot : feet)
+    ground.point.z() = std::min(ground.point.z(), foot.surface.point.z());
+  return ground;
 }
 
 /// Returns horizontal axes with x forwards, computed from the yaw of the base.
@@ -163,6 +166,7 @@ Setting make_setting(const Task& task, const Robot& robot) {
   });
   s.base = pressing::base_frame(model);
   s.scene = make_scene(s);
+  s.ground = ground_below(s.scene.touches);
   const Eigen::Isometry3d base = frame_placement(model, s.q_start, s.base);
   s.R_base = base.linear();
   s.p_base = base.translation();
@@ -208,7 +212,7 @@ MpcSpec make_mpc(const Task& task, const Setting& setting) {
   mpc.torque_limit = pressing::torque_limit(model, task.constraints);
   mpc.model_error = task.model_error;
   mpc.limits = task.limits;
-  mpc.fallback = pressing::steady_fallback(mpc, setting.scene.supports);
+  mpc.fallback = pressing::steady_fallback(mpc, setting.scene.touches);
   return mpc;
 }
 

@@ -63,7 +63,7 @@ double turn_between(const Eigen::Matrix3d& a, const Eigen::Matrix3d& b) {
 
 TrunkFall lying_at(const Setting& setting, const Trunk& wanted, const Eigen::Vector3d& com,
                    const Eigen::Matrix3d& R_base) {
-  const double height = setting.com.z() - setting.scene.surface.point.z();
+  const double height = setting.com.z() - setting.ground.point.z();
   return {(wanted.com.z() - com.z()) / height, turn_between(wanted.base, R_base)};
 }
 

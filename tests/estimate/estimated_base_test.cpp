@@ -51,12 +51,12 @@ struct StandingBiped {
   void load(double left, double right) {
     RigidBody body(model);
     EXPECT_EQ(body.update(truth, VectorXd::Zero(model.nv)), Status::Ok);
-    measured.support_wrenches.setZero(6, 2);
+    measured.wrenches.setZero(6, 2);
     const double fractions[] = {left, right};
     for (int k = 0; k < 2; ++k) {
       const Eigen::Matrix3d R =
           body.placement(body.frame(options.feet[static_cast<std::size_t>(k)].frame)).linear();
-      measured.support_wrenches.col(k).head<3>() =
+      measured.wrenches.col(k).head<3>() =
           -fractions[k] * model.total_mass() * (R.transpose() * model.gravity);
     }
   }
@@ -81,7 +81,12 @@ TEST(EstimatedBase, StandingBiped_EstimatesTheBaseFromTorquesOrFootSensors) {
       EXPECT_LT((estimated.q - biped.truth).norm(), 1e-6);
       EXPECT_LT(estimated.v.norm(), 1e-6);
       EXPECT_TRUE(estimated.tau == biped.measured.tau);
-      EXPECT_EQ(estimated.support_wrenches.cols(), sensors ? 2 : 0);
+      if (sensors) {
+        EXPECT_EQ(estimated.wrenches, biped.measured.wrenches);
+      } else {
+        EXPECT_EQ(estimated.wrenches.cols(), 2);
+        EXPECT_TRUE(estimated.wrenches.array().isNaN().all());
+      }
     }
     EXPECT_EQ(base.estimator().feet_that_count(), 3U);
     EXPECT_NEAR(base.contacts().forces()[0], 0.5 * weight, 1e-3 * weight);
@@ -91,6 +96,76 @@ TEST(EstimatedBase, StandingBiped_EstimatesTheBaseFromTorquesOrFootSensors) {
     for (int tick = 200; tick < 300; ++tick) base.update(biped.at(tick));
     EXPECT_EQ(base.estimator().feet_that_count(), 1U);
   }
+}
+
+TEST(EstimatedBase, FeetInAnotherOrderOfTouches_GiveTheSameBits) {
+  StandingBiped biped;
+  biped.load(0.7, 0.3);
+  EstimatedBase base(biped.model, biped.options);
+  EstimatedBase other(biped.model, biped.options, {},
+                      {"hand", "right_sole_link", "left_sole_link", "tool"});
+  for (EstimatedBase* each : {&base, &other})
+    ASSERT_EQ(each->reset(biped.truth, VectorXd::Zero(biped.model.nv)), Status::Ok);
+  for (int tick = 0; tick < 100; ++tick) {
+    const Measurement measured = biped.at(tick);
+    Measurement reordered = measured;
+    // Nothing is measured at the hand. The wrench on the tool would show if it counted as a foot.
+    reordered.wrenches.setConstant(6, 4, nan);
+    reordered.wrenches.col(1) = measured.wrenches.col(1);
+    reordered.wrenches.col(2) = measured.wrenches.col(0);
+    reordered.wrenches.col(3).setConstant(500.0);
+    const Measurement& expected = base.update(measured);
+    const Measurement& estimated = other.update(reordered);
+    ASSERT_EQ(base.status(), Status::Ok) << tick;
+    ASSERT_EQ(other.status(), Status::Ok) << tick;
+    ASSERT_TRUE(estimated.q == expected.q && estimated.v == expected.v) << tick;
+    ASSERT_EQ(other.contacts().forces(), base.contacts().forces()) << tick;
+    ASSERT_TRUE(estimated.wrenches.col(0).array().isNaN().all());
+    ASSERT_EQ(estimated.wrenches.rightCols(3), reordered.wrenches.rightCols(3));
+  }
+  EXPECT_GT(base.contacts().forces()[0], 1.5 * base.contacts().forces()[1])
+      << "equal forces do not show the order";
+}
+
+/// The sensors show another force than the torques, which carry half of the weight on each foot.
+TEST(EstimatedBase, UnmeasuredForceOnAFoot_IsReplacedByTheTorques) {
+  StandingBiped biped;
+  biped.load(0.8, 0.2);
+  const double weight = -biped.model.total_mass() * biped.model.gravity.z();
+  const auto force_on_the_left = [&](int row, int column) {
+    EstimatedBase base(biped.model, biped.options);
+    EXPECT_EQ(base.reset(biped.truth, VectorXd::Zero(biped.model.nv)), Status::Ok);
+    for (int tick = 0; tick < 200; ++tick) {
+      Measurement measured = biped.at(tick);
+      measured.wrenches(row, column) = nan;
+      EXPECT_LT((base.update(measured).q - biped.truth).norm(), 1e-6);
+      EXPECT_EQ(base.status(), Status::Ok) << tick;
+    }
+    return base.contacts().forces()[0];
+  };
+  for (const int column : {0, 1}) {
+    EXPECT_NEAR(force_on_the_left(2, column), 0.5 * weight, 1e-3 * weight) << column;
+    // Moments are not used.
+    EXPECT_NEAR(force_on_the_left(5, column), 0.8 * weight, 1e-3 * weight) << column;
+  }
+}
+
+TEST(EstimatedBase, OtherNumberOfWrenchesThanTouches_IsAWrongSize) {
+  StandingBiped biped;
+  EstimatedBase base(biped.model, biped.options, {}, {"tool", "left_sole_link", "right_sole_link"});
+  ASSERT_EQ(base.reset(biped.truth, VectorXd::Zero(biped.model.nv)), Status::Ok);
+  int tick = 0;
+  base.update(biped.at(tick++));
+  for (const int columns : {1, 2, 4}) {
+    Measurement measured = biped.at(tick++);
+    measured.wrenches.setOnes(6, columns);
+    const Measurement& estimated = base.update(measured);
+    EXPECT_EQ(base.status(), Status::WrongSize) << columns;
+    EXPECT_EQ(estimated.wrenches.cols(), 3) << columns;
+    EXPECT_TRUE(estimated.wrenches.array().isNaN().all()) << columns;
+  }
+  base.update(biped.at(tick++));  // no columns
+  EXPECT_EQ(base.status(), Status::Ok);
 }
 
 /// Without foot sensors, the forces on the feet are computed from torques, which include the load.
@@ -143,7 +218,7 @@ TEST(EstimatedBase, InvalidMeasurement_KeepsTheLastBase) {
   EXPECT_EQ(VectorXd(base.update(bad).q.head<7>()), estimated);
   EXPECT_EQ(base.status(), Status::NotFinite);
   bad = biped.at(53);
-  bad.support_wrenches.setOnes(6, 1);
+  bad.wrenches.setOnes(6, 1);
   base.update(bad);
   EXPECT_EQ(base.status(), Status::WrongSize);
   bad = biped.at(54);

@@ -92,9 +92,7 @@ TEST_F(PayloadIdentification, LinkHeavierThanItsModel_IsEstimated) {
 #ifdef BURNISH_HAS_MUJOCO
 TEST_F(PayloadIdentification, MujocoRecord_GivesThePayload) {
   const Payload carried = drawn_payload("tool", 5);
-  SceneSpec scene;
-  scene.surface.point = Eigen::Vector3d(0.0, 0.0, -100.0);
-  const auto plant = make_mujoco_plant(plant_model(with_payload(model, carried), sensors()), scene);
+  const auto plant = make_mujoco_plant(plant_model(with_payload(model, carried), sensors()), {});
   const Trace trace = record_motion(*plant, model, motion, sensors());
   const Identification found = identify(model, motion_record(model, trace));
   const EstimatedInertia& one = found.inertias.at(0);
@@ -134,9 +132,7 @@ TEST_F(PayloadIdentification, MotorTorques_GiveFrictionAndRotorInertias) {
     real.damping[k] = 0.2 + 0.1 * k;
     real.friction[k] = 0.4 - 0.05 * k;
   }
-  SceneSpec scene;
-  scene.surface.point = Eigen::Vector3d(0.0, 0.0, -100.0);
-  const auto plant = make_ideal_plant(real, scene);
+  const auto plant = make_ideal_plant(real, {});
   const Trace trace = record_motion(*plant, nominal, motion, sensors());
   MotionRecord record = motion_record(model, trace);
   for (int k = 0; k < model.nv; ++k)

@@ -28,7 +28,7 @@ class FedController {
   FedController(const TestRobot& robot, const Fallback& fallback)
       : model(robot.model()), mpc(spec_of(robot, model, fallback)) {
     m.q = model.q_neutral;
-    m.tool_wrench.setZero();
+    m.wrenches.setZero(6, 1);
     m.v = m.tau = Eigen::VectorXd::Zero(model.nv);
     const auto& driven = mpc.problem().layout().actuated;
     actuated.assign(driven.begin(), driven.end());

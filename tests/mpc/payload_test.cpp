@@ -86,7 +86,8 @@ TEST(MpcPayload, EstimatedBaseWithAnotherPayload_HoldsTheRobotWithAStatus) {
 
 TEST(MpcPayload, PayloadOfALoop_ReachesTheController) {
   const MpcSpec spec = spec_of();
-  const std::unique_ptr<Plant> plant = make_ideal_plant(spec.problem.model, {});
+  const SceneSpec scene{.touches = {{.frame = "tool"}}};
+  const std::unique_ptr<Plant> plant = make_ideal_plant(spec.problem.model, scene);
   MpcController alone(spec), looped(spec);
   ClosedLoop loop(*plant, looped);
   ASSERT_EQ(alone.set_payload("tool", brick(2.0)), Status::Ok);
@@ -101,7 +102,8 @@ TEST(MpcPayload, PayloadOfALoop_ReachesTheController) {
 
 TEST(MpcPayload, PayloadBeforeTheEstimateOfTheBase_IsRefused) {
   const MpcSpec spec = spec_of();
-  const std::unique_ptr<Plant> plant = make_ideal_plant(spec.problem.model, {});
+  const SceneSpec scene{.touches = {{.frame = "tool"}}};
+  const std::unique_ptr<Plant> plant = make_ideal_plant(spec.problem.model, scene);
   MpcController mpc(spec);
   ClosedLoop loop(*plant, mpc);
   ASSERT_EQ(mpc.set_payload("tool", brick(2.0)), Status::Ok);

@@ -1,5 +1,5 @@
-// Tests of feet that slip and motors that fail: how a controller of a standing robot detects them
-// and reacts.
+// Tests of the controller of a standing robot: whose wrenches it reads, and how it detects feet
+// that slip and motors that fail and reacts.
 #include <gtest/gtest.h>
 
 #include "burnish/derivatives/contact_dynamics.hpp"
@@ -50,7 +50,7 @@ class SupportGrip : public ::testing::Test {
     mpc = std::make_unique<MpcController>(spec);
     measured.q = q;
     measured.v = measured.tau = VectorXd::Zero(model.nv);
-    measured.support_wrenches.setZero(6, spec.support_sensors ? 2 : 0);
+    measured.wrenches.setZero(6, spec.support_sensors ? 2 : 0);
     torque_scale.setOnes(model.nv);
   }
   const Command& step(double speed, double friction_ratio) {
@@ -58,8 +58,8 @@ class SupportGrip : public ::testing::Test {
     measured.q[0] += tick_period * speed;
     measured.v[0] = speed;
     const double half = 0.5 * model.total_mass() * 9.81;
-    for (Eigen::Index k = 0; k < measured.support_wrenches.cols(); ++k)
-      measured.support_wrenches.col(k) << friction_ratio * half, 0.0, half, 0.0, 0.0, 0.0;
+    for (Eigen::Index k = 0; k < measured.wrenches.cols(); ++k)
+      measured.wrenches.col(k) << friction_ratio * half, 0.0, half, 0.0, 0.0, 0.0;
     measured.tau = mpc->support_friction().size() > 0 && tau.size() > 0
                        ? VectorXd(torque_scale.cwiseProduct(tau))
                        : VectorXd(VectorXd::Zero(model.nv));
@@ -77,6 +77,63 @@ class SupportGrip : public ::testing::Test {
   Measurement measured;
   std::unique_ptr<MpcController> mpc;
 };
+
+using Frames = std::vector<std::string>;
+
+TEST_F(SupportGrip, Touches_AreTheToolAndThenTheMeasuredSupports) {
+  for (const bool tool : {false, true})
+    for (const bool sensors : {false, true}) {
+      MpcSpec spec = swaying(model, q);
+      spec.tool = tool ? "tool" : "";
+      spec.support_sensors = sensors;
+      Frames expected;
+      if (tool) expected.push_back("tool");
+      if (sensors) expected.insert(expected.end(), soles.begin(), soles.end());
+      EXPECT_EQ(touches_of(spec), expected) << tool << sensors;
+      EXPECT_EQ(MpcController(spec).touches(), expected) << tool << sensors;
+    }
+}
+
+TEST_F(SupportGrip, TouchesOfASpecification_AreFramesInTheOrderOfItsSupports) {
+  MpcSpec spec = swaying(model, q);
+  std::swap(spec.supports[0], spec.supports[1]);
+  EXPECT_EQ(touches_of(spec), (Frames{soles[1], soles[0]}));
+  // The contact has another name than its frame.
+  spec.problem.contacts[0].name = spec.supports[1] = "left foot";
+  EXPECT_EQ(touches_of(spec), (Frames{soles[1], soles[0]}));
+  spec.supports.push_back("no contact");
+  EXPECT_EQ(touches_of(spec), (Frames{soles[1], soles[0]}));
+  // The tool is a touch even if its force is estimated.
+  spec.tool = "tool";
+  spec.force_sensor = false;
+  EXPECT_EQ(touches_of(spec), (Frames{"tool", soles[1], soles[0]}));
+}
+
+/// A controller with a tool reads the wrenches on the feet from the columns after the first.
+TEST_F(SupportGrip, ToolBeforeTheFeet_DoesNotChangeTheFriction) {
+  const auto friction_of = [&](bool tool) {
+    MpcSpec spec = swaying(model, q);
+    spec.tool = tool ? "tool" : "";
+    spec.limits.torque_gap = infinity;
+    MpcController controller(spec);
+    Measurement m;
+    m.q = q;
+    m.v = m.tau = VectorXd::Zero(model.nv);
+    m.wrenches.setZero(6, tool ? 3 : 2);
+    m.wrenches.rightCols(2).row(0).setConstant(0.02 * model.total_mass() * 9.81);
+    m.wrenches.rightCols(2).row(2).setConstant(0.5 * model.total_mass() * 9.81);
+    for (int tick = 0; tick < 100; ++tick) {
+      m.time = tick_period * tick;
+      m.q[0] = q[0] + 0.08 * m.time;
+      m.v[0] = 0.08;
+      (void)controller.tick(m);
+    }
+    EXPECT_EQ(controller.fault().kind, FaultKind::None) << controller.fault().text();
+    return VectorXd(controller.support_friction());
+  };
+  EXPECT_LT(friction_of(false).maxCoeff(), 0.9 * cone) << "no slip: this test checks nothing";
+  EXPECT_EQ(friction_of(true), friction_of(false));
+}
 
 TEST_F(SupportGrip, SlippingFeet_LowerThePlannedFriction) {
   steps(20, 0.0, 0.04);
@@ -177,7 +234,7 @@ TEST_F(SupportGrip, UnloadedLegsAfterAFault_OnlyCompensateGravity) {
   ASSERT_EQ(mpc->fault().kind, FaultKind::StaleMeasurement);
   step(0.0, 0.0);
   const VectorXd standing = tau;
-  measured.support_wrenches.setZero();
+  measured.wrenches.setZero();
   measured.time += tick_period;
   const VectorXd hanging = mpc->tick(measured).tau;
   ContactDynamics dynamics(model);
@@ -186,7 +243,7 @@ TEST_F(SupportGrip, UnloadedLegsAfterAFault_OnlyCompensateGravity) {
   EXPECT_LT((hanging - dynamics.bias()).tail(model.nv - 6).norm(), 1e-3);
   EXPECT_GT((standing - hanging).norm(), 20.0);
   // A foot with a third of its nominal load counts as standing.
-  measured.support_wrenches.row(2).setConstant(0.17 * model.total_mass() * 9.81);
+  measured.wrenches.row(2).setConstant(0.17 * model.total_mass() * 9.81);
   measured.time += tick_period;
   EXPECT_LT((mpc->tick(measured).tau - standing).norm(), 1e-3);
 }

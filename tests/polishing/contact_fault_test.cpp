@@ -16,7 +16,7 @@ class VanishingSurfacePlant final : public Plant {
   VanishingSurfacePlant(const Model& model, const SceneSpec& scene, double until)
       : until_(until), with_(make_ideal_plant(model, scene)) {
     SceneSpec far = scene;
-    far.surface.point -= 10.0 * scene.surface.normal;
+    far.tool().surface.point -= 10.0 * scene.tool().surface.normal;
     without_ = make_ideal_plant(model, far);
   }
   const Model& model() const override { return with_->model(); }
@@ -26,20 +26,17 @@ class VanishingSurfacePlant final : public Plant {
     gone_ = false;
     return with_->reset(q, v);
   }
-  Status step(const ConstVectorRef& tau, const Eigen::Vector3d& push) noexcept override {
+  Status step(const ConstVectorRef& tau) noexcept override {
     if (!gone_ && with_->time() > until_) {
       gone_ = true;
       if (without_->reset(with_->q(), with_->v()) != Status::Ok) return Status::NotFinite;
     }
-    return now().step(tau, push);
+    return now().step(tau);
   }
   double time() const override { return gone_ ? with_->time() + without_->time() : with_->time(); }
   const Eigen::VectorXd& q() const override { return now().q(); }
   const Eigen::VectorXd& v() const override { return now().v(); }
-  const Eigen::Vector3d& contact_force_world() const override {
-    return now().contact_force_world();
-  }
-  bool in_contact() const override { return now().in_contact(); }
+  const Wrenches& wrenches() const override { return now().wrenches(); }
   const Eigen::VectorXd& friction_torque() const override { return now().friction_torque(); }
   void save(PlantSnapshot& snapshot) const override { now().save(snapshot); }
   Status restore(const PlantSnapshot& snapshot) noexcept override {
@@ -106,7 +103,7 @@ struct StillRobot {
   /// Ticks until this time [s], with a measured force along the normal [N].
   void feed(double until, double force) {
     for (; m.time < until - 1e-9; m.time = 5e-4 * static_cast<double>(++ticks)) {
-      set_tool_force(m, setting.robot.model, force * setting.scene.surface.normal);
+      set_tool_force(m, setting.robot.model, force * setting.scene.tool().surface.normal);
       m.tau = mpc.tick(m).tau;
     }
   }
@@ -178,7 +175,7 @@ TEST(Fault, TouchInRetreat_ReportsUnexpectedContact) {
     wanted.spoil = [end, push, model = setting.robot.model](Measurement& m) {
       if (!(m.time > end + 0.3 && m.time < end + 0.8)) return;
       const Eigen::Matrix3d R_tool = frame_placement(model, m.q, "tool").linear();
-      m.tool_wrench.head<3>() -= push * R_tool.transpose().col(2);
+      m.wrenches.col(0).head<3>() -= push * R_tool.transpose().col(2);
     };
     MpcRun run(wanted);
     ASSERT_EQ(run.run(end + 0.5), Status::Ok);

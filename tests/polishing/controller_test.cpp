@@ -309,7 +309,7 @@ TEST(MpcController, CorruptMeasurements_TorqueStaysFinite) {
           m.tau[entry] = value;
           break;
         case 4:
-          m.tool_wrench[entry % 3] = value;
+          m.wrenches(entry % 3, 0) = value;
           break;
         default:
           m.q.resize(entry);

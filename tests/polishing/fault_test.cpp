@@ -40,7 +40,7 @@ TEST(Fault, InvalidMeasurement_ReportsBadMeasurement) {
       [&](Measurement& m) { m.q[3] = nan; },
       [&](Measurement& m) { m.v[0] = nan; },
       [&](Measurement& m) { m.tau[5] = std::numeric_limits<double>::infinity(); },
-      [&](Measurement& m) { m.tool_wrench[1] = nan; },
+      [&](Measurement& m) { m.wrenches(1, 0) = nan; },
       [&](Measurement& m) { m.time = nan; },
       [](Measurement& m) { m.q.conservativeResize(5); },
       [](Measurement& m) { m.v.conservativeResize(7); },

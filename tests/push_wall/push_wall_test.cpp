@@ -79,7 +79,7 @@ TEST(PushWall, ComShift_KeepsTheCentreOfPressure) {
   RigidBody body(model);
   ASSERT_EQ(body.update(s.q_start, Eigen::VectorXd::Zero(model.nv)), Status::Ok);
   const double F = 60.0;
-  const Eigen::Vector3d below(s.com.x(), s.com.y(), s.scene.supports[0].point.z());
+  const Eigen::Vector3d below(s.com.x(), s.com.y(), s.scene.touches[0].surface.point.z());
   Eigen::Vector3d moment = (s.com + F * s.com_per_force - below).cross(body.mass() * model.gravity);
   for (int h = 0; h < 2; ++h) moment += (s.p_hands.col(h) - below).cross(F * s.wall_axes.col(2));
   EXPECT_LT(moment.head<2>().norm(), 1e-9 * F);
@@ -92,13 +92,14 @@ TEST(PushWall, StartPosture_PutsBothHandsAtTheClearance) {
   const Setting s = make_setting(task);
   const Eigen::Vector3d n = s.wall_axes.col(2);
   for (int h = 0; h < 2; ++h) {
-    const Eigen::Vector3d start =
-        frame_placement(s.robot.model, s.q_start, task.hands[static_cast<std::size_t>(h)])
-            .translation();
+    const std::string& hand = task.hands[static_cast<std::size_t>(h)];
+    const Eigen::Vector3d start = frame_placement(s.robot.model, s.q_start, hand).translation();
     EXPECT_NEAR((start - s.p_hands.col(h)).dot(n), task.clearance, 2e-3);
-    EXPECT_NEAR((s.p_hands.col(h) - s.scene.surface.point).dot(n), task.tip_radius, 1e-12);
+    EXPECT_NEAR((s.p_hands.col(h) - s.scene.touch(hand).surface.point).dot(n), task.tip_radius,
+                1e-12);
   }
-  EXPECT_EQ(s.scene.supports.size(), 4U);
+  EXPECT_EQ(s.scene.touches.size(), 4U);
+  EXPECT_EQ(s.scene.supports().size(), 4U);
 }
 
 TEST(PushWall, HandsInSomeStagesOnly_NeedSupportSensors) {

@@ -25,12 +25,12 @@ struct TalosAtTheWall {
   TalosAtTheWall() {
     const Eigen::VectorXd rest = Eigen::VectorXd::Zero(setting.robot.model.nv);
     EXPECT_EQ(body.update(setting.q_start, rest), Status::Ok);
-    spec = {.feet = setting.scene.supports,
+    spec = {.feet = setting.scene.supports(),
             .hands = task.hands,
             .normal_world = setting.wall_axes.col(2),
             .torque_limit = rest.array() + 1e6};
     spec.feet.resize(2);
-    for (SupportSpec& foot : spec.feet) foot.friction = 1.0;
+    for (TouchSpec& foot : spec.feet) foot.surface.friction = 1.0;
   }
   double max_force() {
     Statics statics(setting.robot.model, spec);
@@ -44,8 +44,8 @@ struct TalosAtTheWall {
 /// If only friction limits the force, F = mu W / 2 per hand.
 TEST(Statics, FrictionOfTheFeet_LimitsTheForce) {
   TalosAtTheWall stand;
-  for (SupportSpec& foot : stand.spec.feet) {
-    foot.friction = 0.3;
+  for (TouchSpec& foot : stand.spec.feet) {
+    foot.surface.friction = 0.3;
     foot.half_x = foot.half_y = 10.0;
   }
   EXPECT_NEAR(stand.max_force(), 0.3 * stand.weight / 2.0, 0.5);
@@ -83,11 +83,11 @@ TEST(Statics, WeakElbow_LimitsTheForceAndIsNamed) {
 TEST(Statics, UnstableStance_GivesANegativeForce) {
   TalosAtTheWall stand;
   // The centre of mass is beyond the soles.
-  for (SupportSpec& foot : stand.spec.feet) foot.half_x = 0.01;
+  for (TouchSpec& foot : stand.spec.feet) foot.half_x = 0.01;
   EXPECT_GT(stand.max_force(), 0.0) << "the wall supports the robot";
   stand.spec.hands.clear();
   EXPECT_LT(stand.max_force(), 0.0);
-  for (SupportSpec& foot : stand.spec.feet) foot.half_x = 0.1;
+  for (TouchSpec& foot : stand.spec.feet) foot.half_x = 0.1;
   EXPECT_EQ(stand.max_force(), 0.0);
 }
 

@@ -148,12 +148,12 @@ TEST(StandingFigures, BadSupportsOrTrace_AreRefused) {
                                         standing.supports);
                }),
                {"no rows"});
-  std::vector<SupportSpec> supports = standing.supports;
+  std::vector<TouchSpec> supports = standing.supports;
   supports[0].frame = "lefd";
   expect_words(refusal([&] { (void)measure_standing(trace, standing.model, supports); }),
                {"lefd", "left"});
   supports = standing.supports;
-  supports[1].normal.setZero();
+  supports[1].surface.normal.setZero();
   expect_words(refusal([&] { (void)measure_standing(trace, standing.model, supports); }),
                {"right", "no direction"});
 }

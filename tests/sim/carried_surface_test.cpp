@@ -7,6 +7,7 @@
 #include "burnish/robots/robot.hpp"
 #include "burnish/sim/closed_loop.hpp"
 #include "burnish/sim/ideal_plant.hpp"
+#include "support/plant_touch.hpp"
 #include "support/refusal.hpp"
 
 namespace burnish::test {
@@ -17,11 +18,11 @@ namespace {
 
 /// Scene with the tip 0.2 mm inside the plate.
 SceneSpec plate_under_tip(const Robot& robot, double friction) {
-  SceneSpec scene;
-  scene.surface.frame = "plate";
-  scene.surface.friction = friction;
-  return scene_under_tip(robot.model, robot.reference_configuration(), {0.0, 0.0, 1.0}, scene,
-                         -2e-4);
+  TouchSpec tip = round_tip();
+  tip.surface.frame = "plate";
+  tip.surface.friction = friction;
+  return {.touches = {with_surface_at(robot.model, robot.reference_configuration(), {0.0, 0.0, 1.0},
+                                      tip, -2e-4)}};
 }
 
 /// Velocities with which the tip slides on the plate.
@@ -46,8 +47,9 @@ TEST(CarriedSurface, ContactForces_AreInternalAndKeepTheMomentum) {
   const Eigen::Vector3d weight = body.mass() * model.gravity;
   const Eigen::Vector3d com = body.com();
   const Eigen::Vector3d n = body.placement(body.frame("plate")).linear().col(2);
-  ASSERT_EQ(plant->step(zero, Eigen::Vector3d::Zero()), Status::Ok);
-  const Eigen::Vector3d force = plant->contact_force_world();
+  const Eigen::VectorXd q_before = plant->q();
+  ASSERT_EQ(plant->step(zero), Status::Ok);
+  const Eigen::Vector3d force = force_world(*plant, q_before);
   EXPECT_GT(force.dot(n), 10.0);
   EXPECT_GT((force - n.dot(force) * n).norm(), 1.0);  // the contact has friction
   ASSERT_EQ(body.update(plant->q(), plant->v()), Status::Ok);
@@ -67,9 +69,10 @@ TEST(CarriedSurface, FixedFrame_GivesTheForcesOfASurfaceInTheWorld) {
     if (joint.name.rfind("arm_right", 0) != 0) robot.model.armature[joint.v_index] = 1e9;
   const Eigen::VectorXd q = robot.reference_configuration();
   SceneSpec carried = plate_under_tip(robot, 0.3);
-  carried.surface.motion = {.amplitude = 1e-4, .frequency = 5.0};
+  carried.tool().surface.motion = {.amplitude = 1e-4, .frequency = 5.0};
   SceneSpec fixed = carried;
-  fixed.surface = in_world(carried.surface, surface_placement(robot.model, q, carried.surface));
+  const SurfaceSpec& plate = carried.tool().surface;
+  fixed.tool().surface = in_world(plate, surface_placement(robot.model, q, plate));
   const auto one = make_mujoco_plant(robot.model, carried);
   const auto other = make_mujoco_plant(robot.model, fixed);
   Eigen::VectorXd v = sliding(robot.model);
@@ -82,10 +85,12 @@ TEST(CarriedSurface, FixedFrame_GivesTheForcesOfASurfaceInTheWorld) {
   for (int i = 0; i < 200; ++i) {
     ASSERT_EQ(body.update(one->q(), one->v()), Status::Ok);
     const Eigen::VectorXd tau = body.gravity_torque();
-    ASSERT_EQ(one->step(tau, Eigen::Vector3d::Zero()), Status::Ok);
-    ASSERT_EQ(other->step(tau, Eigen::Vector3d::Zero()), Status::Ok);
-    ASSERT_LE((one->contact_force_world() - other->contact_force_world()).norm(), 1e-4) << i;
-    largest = std::max(largest, one->contact_force_world().norm());
+    const Eigen::VectorXd q_one = one->q(), q_other = other->q();
+    ASSERT_EQ(one->step(tau), Status::Ok);
+    ASSERT_EQ(other->step(tau), Status::Ok);
+    const Eigen::Vector3d force = force_world(*one, q_one);
+    ASSERT_LE((force - force_world(*other, q_other)).norm(), 1e-4) << i;
+    largest = std::max(largest, force.norm());
   }
   EXPECT_GT(largest, 5.0);
   EXPECT_LE((one->q() - other->q()).norm(), 1e-7);
@@ -99,9 +104,9 @@ TEST(CarriedSurface, UnsupportedPlantOrFrame_IsRefused) {
   expect_words(
       refusal([&] { make_mujoco_plant(robot.model, scene, {.contact = MujocoContact::Engine}); }),
       {"MuJoCo's own contact", "plate", "exact"});
-  scene.surface.frame = "plait";
+  scene.tool().surface.frame = "plait";
   expect_words(refusal([&] { checked_scene(robot.model, scene); }), {"plait", "plate"});
-  scene.surface.frame = "wrist_right_ft_link";
+  scene.tool().surface.frame = "wrist_right_ft_link";
   expect_words(refusal([&] { checked_scene(robot.model, scene); }), {"one body", "tool"});
 }
 

@@ -7,6 +7,7 @@
 #include "burnish/tasks/pressing/pressing_task.hpp"
 #include "support/allocation_guard.hpp"
 #include "support/biped.hpp"
+#include "support/constant_torque.hpp"
 #include "support/polishing_run.hpp"
 #include "support/refusal.hpp"
 
@@ -104,25 +105,39 @@ TEST(ClosedLoop, Push_ActsOnTheToolAtItsTime) {
   EXPECT_GT(y[2599] - y[2399], 1e-3);
 }
 
-/// Controller without torque.
-class NoTorque final : public Controller {
- public:
-  explicit NoTorque(int nv) { command_.tau = Eigen::VectorXd::Zero(nv); }
-  int nv() const override { return static_cast<int>(command_.tau.size()); }
-  void reset() noexcept override {}
-  const Command& tick(const Measurement& /*measurement*/) noexcept override { return command_; }
-
- private:
-  Command command_;
-};
+/// The pushes of a robot without a tool act for their durations, and add up.
+TEST(ClosedLoop, OverlappingPushes_ActForTheirDurationsAndAddUp) {
+  const Model model = right_arm();
+  const Eigen::Vector3d first(1.0, 0.0, 0.0), second(0.0, 2.0, 0.0);
+  const auto plant = make_ideal_plant(model, {});
+  const auto reference = make_ideal_plant(model, {});
+  ConstantTorque limp = no_torque(model);
+  Disturbances disturbances;
+  disturbances.pushes = {{0.01, 0.005, first, "tool"}, {0.012, 0.01, second, "tool"}};
+  ClosedLoop loop(*plant, limp, disturbances);
+  const Eigen::VectorXd rest = Eigen::VectorXd::Zero(model.nv);
+  ASSERT_EQ(loop.reset(model.q_neutral, rest), Status::Ok);
+  ASSERT_EQ(reference->reset(model.q_neutral, rest), Status::Ok);
+  RigidBody body(model);
+  for (int step = 0; step < 50; ++step) {
+    const Eigen::Vector3d push = (step >= 20 && step < 30 ? first : Eigen::Vector3d::Zero()) +
+                                 (step >= 24 && step < 44 ? second : Eigen::Vector3d::Zero());
+    ASSERT_EQ(body.update(reference->q(), reference->v()), Status::Ok);
+    ASSERT_LE(reference->step(torque_of_force(body, "tool", push)), Status::NotConverged);
+    ASSERT_LE(loop.step(), Status::NotConverged);
+    const Trace& trace = loop.trace();
+    const int column = trace.index("push_x_world");
+    for (int axis = 0; axis < 3; ++axis) {
+      EXPECT_EQ(trace.at(step, column + axis), push[axis]) << "step " << step;
+    }
+    ASSERT_LE((plant->v() - reference->v()).norm(), 1e-12) << "step " << step;
+  }
+}
 
 TEST(ClosedLoop, Hoist_CarriesTheRobotUntilItReleases) {
   const Model model = biped::model(Base::FreeFlyer);
-  SceneSpec scene;
-  scene.tip.frame.clear();
-  scene.hoist = {.frame = "pelvis", .duration = 0.4};
-  const auto plant = make_ideal_plant(model, scene);
-  NoTorque limp(model.nv);
+  const auto plant = make_ideal_plant(model, {.hoist = {.frame = "pelvis", .duration = 0.4}});
+  ConstantTorque limp = no_torque(model);
   ClosedLoop loop(*plant, limp, {});
   ASSERT_EQ(loop.reset(biped::half_sitting(model), Eigen::VectorXd::Zero(model.nv)), Status::Ok);
   const double height = plant->q()[2];
@@ -135,10 +150,8 @@ TEST(ClosedLoop, Hoist_CarriesTheRobotUntilItReleases) {
 
 TEST(ClosedLoop, RobotWithoutATool_RecordsNone) {
   const Model model = right_arm();
-  SceneSpec scene;
-  scene.tip.frame.clear();
-  const auto plant = make_ideal_plant(model, scene);
-  NoTorque limp(model.nv);
+  const auto plant = make_ideal_plant(model, {});
+  ConstantTorque limp = no_torque(model);
   Disturbances disturbances = disturbance_preset("sensors");
   ClosedLoop loop(*plant, limp, disturbances);
   ASSERT_EQ(loop.reset(model.q_neutral, Eigen::VectorXd::Zero(model.nv)), Status::Ok);

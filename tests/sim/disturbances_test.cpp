@@ -256,10 +256,10 @@ class SensingTest : public ::testing::Test {
 
   /// Simulates a plant that presses and slides, measured every two steps.
   Measured measure(const Disturbances& disturbances) const {
-    SceneSpec scene = scene_under_tip(model, q, {0.0, 0.0, 1.0});
+    const SceneSpec scene = plane_under_tip(model, q, {0.0, 0.0, 1.0});
     const auto plant = make_ideal_plant(model, scene);
     EXPECT_EQ(plant->reset(q, Eigen::VectorXd::Zero(model.nv)), Status::Ok);
-    Sensing sensing(model, disturbances);
+    Sensing sensing(model, disturbances, scene, {"tool"});
     RigidBody body(model);
     Measured measured;
     constexpr int ticks = 100;
@@ -272,10 +272,14 @@ class SensingTest : public ::testing::Test {
       measured.q.col(i) = m.q;
       measured.v.col(i) = m.v;
       measured.tau.col(i) = m.tau;
-      measured.force.col(i) = m.tool_wrench.head<3>();
+      measured.force.col(i) = m.wrenches.col(0).head<3>();
       EXPECT_EQ(body.update(plant->q(), plant->v()), Status::Ok);
       tau = body.gravity_torque() + Eigen::VectorXd::LinSpaced(model.nv, -2.0, 2.0);
-      for (int k = 0; k < 2; ++k) EXPECT_EQ(plant->step(tau, {0.0, 0.0, -40.0}), Status::Ok);
+      for (int k = 0; k < 2; ++k) {
+        EXPECT_EQ(body.update(plant->q(), plant->v()), Status::Ok);
+        const Eigen::VectorXd push = torque_of_force(body, "tool", {0.0, 0.0, -40.0});
+        EXPECT_EQ(plant->step(tau + push), Status::Ok);
+      }
     }
     return measured;
   }
@@ -331,27 +335,27 @@ TEST_F(SensingTest, MeasurementDelay_DelaysAllButTheTimeByWholeTicks) {
   d.measurement_delay = 0.4e-3;
   EXPECT_EQ(changes(measure(d), now), "") << "a delay below half a measurement rounds to zero";
 
-  const auto plant = make_ideal_plant(model, scene_under_tip(model, q, {0.0, 0.0, 1.0}));
+  const auto plant = make_ideal_plant(model, plane_under_tip(model, q, {0.0, 0.0, 1.0}));
   ASSERT_EQ(plant->reset(q, Eigen::VectorXd::Zero(model.nv)), Status::Ok);
   d.measurement_delay = 5e-3;
-  Sensing sensing(model, d, 0, plant->dt());
+  Sensing sensing(model, d, plant->scene(), {"tool"}, plant->dt());
   for (int i = 0; i < 20; ++i) {
     const AllocationGuard guard;
     EXPECT_EQ(sensing.measure(*plant, q).time, plant->time());
     if (AllocationGuard::unavailable() == nullptr) {
       EXPECT_EQ(guard.count(), 0);
     }
-    ASSERT_EQ(plant->step(q, Eigen::Vector3d::Zero()), Status::Ok);
+    ASSERT_EQ(plant->step(q), Status::Ok);
   }
 }
 
 TEST_F(SensingTest, Reset_GivesTheSameBits) {
   Disturbances d;
   d.position_noise = d.velocity_noise = d.torque_sensor_noise = d.force_noise = 0.1;
-  const auto plant = make_ideal_plant(model, scene_under_tip(model, q, {0.0, 0.0, 1.0}));
+  const auto plant = make_ideal_plant(model, plane_under_tip(model, q, {0.0, 0.0, 1.0}));
   const Eigen::VectorXd rest = Eigen::VectorXd::Zero(model.nv);
   ASSERT_EQ(plant->reset(q, rest), Status::Ok);
-  Sensing sensing(model, d);
+  Sensing sensing(model, d, plant->scene(), {"tool"});
   std::vector<Measurement> measured;
   for (int time = 0; time < 2; ++time) {
     for (int i = 0; i < 20; ++i) measured.push_back(sensing.measure(*plant, rest));
@@ -361,7 +365,7 @@ TEST_F(SensingTest, Reset_GivesTheSameBits) {
     EXPECT_EQ(measured[i].q, measured[20 + i].q);
     EXPECT_EQ(measured[i].v, measured[20 + i].v);
     EXPECT_EQ(measured[i].tau, measured[20 + i].tau);
-    EXPECT_EQ(measured[i].tool_wrench.head<3>(), measured[20 + i].tool_wrench.head<3>());
+    EXPECT_EQ(measured[i].wrenches.topRows(3), measured[20 + i].wrenches.topRows(3));
   }
 }
 
@@ -477,14 +481,15 @@ TEST(PlantModel, FloatingBase_GetsNoFrictionBiasOrNoise) {
 }
 
 TEST(PlantScene, SurfaceErrors_TiltAboutTangentsAndShiftAlongTheNormal) {
-  SceneSpec nominal;
-  nominal.surface.point = {0.4, -0.3, 1.0};
-  nominal.surface.normal = {0.0, 0.0, 1.0};
-  nominal.surface.friction = 0.2;
-  const SceneSpec same = plant_scene(nominal, {});
-  EXPECT_EQ(same.surface.normal, nominal.surface.normal);
-  EXPECT_EQ(same.surface.point, nominal.surface.point);
-  EXPECT_EQ(same.surface.friction, 0.2);
+  const SurfaceSpec nominal{.point = {0.4, -0.3, 1.0}, .normal = {0.0, 0.0, 1.0}, .friction = 0.2};
+  const SceneSpec scene{.touches = {{.frame = "foot", .surface = nominal, .is_support = true},
+                                    {.frame = "tool", .surface = nominal},
+                                    {.frame = "left_tool", .surface = nominal}}};
+  for (const TouchSpec& same : plant_scene(scene, {}).touches) {
+    EXPECT_EQ(same.surface.normal, nominal.normal);
+    EXPECT_EQ(same.surface.point, nominal.point);
+    EXPECT_EQ(same.surface.friction, 0.2);
+  }
 
   Disturbances d;
   d.surface_height = 0.003;
@@ -492,23 +497,21 @@ TEST(PlantScene, SurfaceErrors_TiltAboutTangentsAndShiftAlongTheNormal) {
   for (int axis = 0; axis < 2; ++axis) {
     d.surface_tilt_deg.setZero();
     d.surface_tilt_deg[axis] = 6.0;
-    const SurfaceSpec real = plant_scene(nominal, d).surface;
-    const double tilt = std::atan2(real.normal.cross(nominal.surface.normal).norm(),
-                                   real.normal.dot(nominal.surface.normal));
-    EXPECT_NEAR(tilt * 180.0 / std::numbers::pi, 6.0, 1e-9);
-    EXPECT_NEAR(real.normal[axis], 0.0, 1e-12) << "the tilt axis must stay in place";
-    EXPECT_LE((real.point - nominal.surface.point - Eigen::Vector3d(0.0, 0.0, 0.003)).norm(),
-              1e-15);
-    EXPECT_EQ(real.friction, 0.5);
+    const SceneSpec disturbed = plant_scene(scene, d);
+    for (const char* frame : {"tool", "left_tool"}) {
+      const SurfaceSpec& real = disturbed.touch(frame).surface;
+      const double tilt =
+          std::atan2(real.normal.cross(nominal.normal).norm(), real.normal.dot(nominal.normal));
+      EXPECT_NEAR(tilt * 180.0 / std::numbers::pi, 6.0, 1e-9);
+      EXPECT_NEAR(real.normal[axis], 0.0, 1e-12) << "the tilt axis must stay in place";
+      EXPECT_LE((real.point - nominal.point - Eigen::Vector3d(0.0, 0.0, 0.003)).norm(), 1e-15);
+      EXPECT_EQ(real.friction, 0.5);
+    }
+    const SurfaceSpec& ground = disturbed.touch("foot").surface;
+    EXPECT_EQ(ground.normal, nominal.normal) << "supports stand on the ground, not on the surface";
+    EXPECT_EQ(ground.point, nominal.point);
+    EXPECT_EQ(ground.friction, 0.2);
   }
-}
-
-TEST(Pushes, Push_ActsForItsDurationAndAddsToOthers) {
-  const std::vector<Push> pushes{{1.0, 0.5, {1.0, 0.0, 0.0}}, {1.2, 1.0, {0.0, 2.0, 0.0}}};
-  EXPECT_EQ(push_at(pushes, 0.9), Eigen::Vector3d::Zero());
-  EXPECT_EQ(push_at(pushes, 1.0), Eigen::Vector3d(1.0, 0.0, 0.0));
-  EXPECT_EQ(push_at(pushes, 1.3), Eigen::Vector3d(1.0, 2.0, 0.0));
-  EXPECT_EQ(push_at(pushes, 1.5), Eigen::Vector3d(0.0, 2.0, 0.0));
 }
 
 TEST(DisturbanceCheck, ValueOutOfRange_IsRefusedByName) {

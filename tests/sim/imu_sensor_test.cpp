@@ -187,7 +187,7 @@ TEST(Sensing, MountedImu_AddsItsReadings) {
   const auto plant = make_ideal_plant(model, {});
   Disturbances d;
   d.imu_faults = {{.start = 1.5 * plant->dt(), .silent = true}};
-  Sensing with_imu(model, d), without_imu(model, {});
+  Sensing with_imu(model, d, plant->scene(), {}), without_imu(model, {}, plant->scene(), {});
   with_imu.mount_imu(model, "tool");
   const VectorXd q = model.q_neutral, rest = VectorXd::Zero(model.nv);
   ASSERT_LE(plant->reset(q, rest), Status::NotConverged);
@@ -196,13 +196,13 @@ TEST(Sensing, MountedImu_AddsItsReadings) {
   ASSERT_TRUE(first.imu.has_value());
   EXPECT_NEAR(first.imu->accelerometer.norm(), 9.81, 1e-12);
   // The arm falls freely; the accelerometer measures acceleration minus gravity at the tool.
-  ASSERT_LE(plant->step(rest, Vector3d::Zero()), Status::NotConverged);
+  ASSERT_LE(plant->step(rest), Status::NotConverged);
   const Measurement second = with_imu.measure(*plant, rest);
   RigidBody body(model);
   ASSERT_EQ(body.update(plant->q(), plant->v()), Status::Ok);
   const Vector3d speed = body.velocity(body.frame("tool"), Reference::centered()).head<3>();
   EXPECT_NEAR(second.imu->accelerometer.norm(), (speed / plant->dt() - model.gravity).norm(), 1e-9);
-  ASSERT_LE(plant->step(rest, Vector3d::Zero()), Status::NotConverged);
+  ASSERT_LE(plant->step(rest), Status::NotConverged);
   EXPECT_FALSE(with_imu.measure(*plant, rest).imu.has_value())
       << "the IMU is silent from its fault on";
 }

@@ -10,6 +10,7 @@
 #ifdef BURNISH_HAS_MUJOCO
 #include "burnish/mujoco/mujoco_plant.hpp"
 #endif
+#include "support/plant_touch.hpp"
 #include "support/refusal.hpp"
 #include "support/robots.hpp"
 
@@ -42,13 +43,6 @@ Robot loop_robot(const std::string& name) {
   return load_robot(std::string(BURNISH_ROBOTS_DIR) + "/" + name);
 }
 
-SceneSpec far_below() {
-  SceneSpec scene;
-  scene.tip.frame = "tool";
-  scene.surface.point.z() = -100.0;
-  return scene;
-}
-
 double max_miss(const Model& model, const VectorXd& q) {
   double worst = 0.0;
   for (const LoopMiss& miss : loop_misses(model, q))
@@ -62,7 +56,7 @@ TEST_P(LoopPlant, Step_MatchesTheModelsAcceleration) {
   for (const char* name : {"four_bar", "parallel_ankle", "gripper"}) {
     const Robot robot = loop_robot(name);
     const Model model = plant_model(robot.model, {});
-    const auto plant = GetParam().make(model, far_below());
+    const auto plant = GetParam().make(model, out_of_reach());
     ContactDynamics dynamics(model, loop_contacts(model));
     const VectorXd q = robot.reference_configuration();
     std::mt19937_64 generator(5);
@@ -70,7 +64,7 @@ TEST_P(LoopPlant, Step_MatchesTheModelsAcceleration) {
         project_velocity_onto_loops(model, q, random_vector(model.nv, 0.3, generator));
     const VectorXd tau = random_vector(model.nv, 0.5, generator);
     ASSERT_EQ(plant->reset(q, v), Status::Ok);
-    ASSERT_EQ(plant->step(tau, Eigen::Vector3d::Zero()), Status::Ok);
+    ASSERT_EQ(plant->step(tau), Status::Ok);
     ASSERT_EQ(dynamics.forward(q, v, tau), Status::Ok);
     const VectorXd a = (plant->v() - v) / plant->dt();
     EXPECT_LE((a - dynamics.a()).norm(), 0.03 * dynamics.a().norm()) << name;
@@ -81,14 +75,14 @@ TEST_P(LoopPlant, SwingingMotion_KeepsLoopsClosed) {
   for (const char* name : {"four_bar", "parallel_ankle", "gripper"}) {
     const Robot robot = loop_robot(name);
     const Model model = plant_model(robot.model, {});
-    const auto plant = GetParam().make(model, far_below());
+    const auto plant = GetParam().make(model, out_of_reach());
     const VectorXd q = robot.reference_configuration(), rest = VectorXd::Zero(model.nv);
     ASSERT_EQ(plant->reset(q, rest), Status::Ok);
     double worst = 0.0;
     while (plant->time() < 2.0) {
       // The motors brake: without brakes, a leg falls through its singularities.
       const VectorXd tau = -(model.effort_limit.array() > 0.0).select(0.5 * plant->v(), 0.0);
-      ASSERT_LE(plant->step(tau, Eigen::Vector3d::Zero()), Status::NotConverged) << name;
+      ASSERT_LE(plant->step(tau), Status::NotConverged) << name;
       worst = std::max(worst, max_miss(model, plant->q()));
     }
     EXPECT_LT(worst, GetParam().drift) << name;
@@ -99,19 +93,18 @@ TEST_P(LoopPlant, SwingingMotion_KeepsLoopsClosed) {
 TEST_P(LoopPlant, SurfaceContact_KeepsLoopsClosed) {
   const Robot robot = loop_robot("parallel_ankle");
   const Model model = plant_model(robot.model, {});
-  SceneSpec scene = far_below();
+  SceneSpec scene = out_of_reach();
   const VectorXd q = robot.reference_configuration();
-  scene.tip.radius = 0.01;
-  scene.surface.point.z() = frame_placement(model, q, "tool").translation().z() - 0.012;
-  scene.surface.friction = 0.0;
+  scene.tool().radius = 0.01;
+  scene.tool().surface.point.z() = frame_placement(model, q, "tool").translation().z() - 0.012;
   const auto plant = GetParam().make(model, scene);
   ASSERT_EQ(plant->reset(q, VectorXd::Zero(model.nv)), Status::Ok);
   bool touched = false;
   double worst = 0.0;
   for (int i = 0; i < 400; ++i) {
     const VectorXd tau = -(model.effort_limit.array() > 0.0).select(2.0 * plant->v(), 0.0);
-    ASSERT_LE(plant->step(tau, Eigen::Vector3d::Zero()), Status::NotConverged);
-    touched = touched || plant->in_contact();
+    ASSERT_LE(plant->step(tau), Status::NotConverged);
+    touched = touched || is_touching(*plant);
     worst = std::max(worst, max_miss(model, plant->q()));
   }
   EXPECT_TRUE(touched);
@@ -148,7 +141,7 @@ TEST_P(LoopPlant, MpcWithLoops_ReachesItsTarget) {
   const double goal = 1.4;
   MpcController controller(tracking(robot, q, goal));
   const Model nominal = plant_model(model, {});
-  const auto plant = GetParam().make(nominal, far_below());
+  const auto plant = GetParam().make(nominal, out_of_reach());
   ClosedLoop loop(*plant, controller, {}, {.control_period = 1e-3, .max_duration = 2.5});
   ASSERT_EQ(loop.reset(q, VectorXd::Zero(model.nv)), Status::Ok);
   double worst = 0.0;
@@ -176,7 +169,7 @@ TEST_P(LoopPlant, Fallback_HoldsTheRobot) {
   MpcSpec spec = tracking(robot, q, 1.4);
   spec.limits.joint_speed_ratio = 1e-3;  // the first motion is a fault
   MpcController controller(spec);
-  const auto plant = GetParam().make(plant_model(model, {}), far_below());
+  const auto plant = GetParam().make(plant_model(model, {}), out_of_reach());
   ClosedLoop loop(*plant, controller, {}, {.control_period = 1e-3, .max_duration = 2.5});
   ASSERT_EQ(loop.reset(q, VectorXd::Zero(model.nv)), Status::Ok);
   ASSERT_LE(loop.run(1.5), Status::NotConverged);
@@ -192,7 +185,7 @@ INSTANTIATE_TEST_SUITE_P(plants, LoopPlant, ::testing::ValuesIn(loop_plants()),
 TEST(MujocoLoops, UnsupportedDirections_AreRefusedByName) {
   Model model = loop_robot("four_bar").model;
   model.loops[0].directions = Directions::parse("x,z");
-  testing::expect_words(testing::refusal([&] { make_mujoco_plant(model, far_below()); }),
+  testing::expect_words(testing::refusal([&] { make_mujoco_plant(model, out_of_reach()); }),
                         {"MuJoCo", "loop 'pin' holds x,z", "x,y,z"});
 }
 #endif

@@ -24,9 +24,7 @@ class MujocoPlantModel : public ::testing::TestWithParam<TestRobot> {};
 
 TEST_P(MujocoPlantModel, MassMatrixAndBias_EqualTheModels) {
   const Model model = GetParam().model();
-  SceneSpec scene;
-  scene.tip.frame = GetParam().tool;
-  scene.surface.point.z() = -100.0;
+  const SceneSpec scene = out_of_reach(GetParam().tool);
   mujoco::Engine engine(model, scene, {});
   ContactDynamics dynamics(model);
   std::mt19937_64 generator(4);
@@ -47,9 +45,7 @@ TEST_P(MujocoPlantModel, MassMatrixAndBias_EqualTheModels) {
 
 TEST_P(MujocoPlantModel, FreeFall_MatchesTheIdealPlant) {
   const Model model = plant_model(GetParam().model(), {});
-  SceneSpec scene;
-  scene.tip.frame = GetParam().tool;
-  scene.surface.point.z() = -100.0;
+  const SceneSpec scene = out_of_reach(GetParam().tool);
   MujocoPlantOptions fine;
   fine.dt = 2e-5;  // MuJoCo's integrator has first order
   fine.joint_stops = false;
@@ -61,8 +57,8 @@ TEST_P(MujocoPlantModel, FreeFall_MatchesTheIdealPlant) {
   const Eigen::VectorXd tau = Eigen::VectorXd::Zero(model.nv);
   ASSERT_EQ(theirs->reset(q, v), Status::Ok);
   ASSERT_EQ(ours->reset(q, v), Status::Ok);
-  for (int i = 0; i < 1000; ++i) ASSERT_EQ(theirs->step(tau, Eigen::Vector3d::Zero()), Status::Ok);
-  for (int i = 0; i < 40; ++i) ASSERT_EQ(ours->step(tau, Eigen::Vector3d::Zero()), Status::Ok);
+  for (int i = 0; i < 1000; ++i) ASSERT_EQ(theirs->step(tau), Status::Ok);
+  for (int i = 0; i < 40; ++i) ASSERT_EQ(ours->step(tau), Status::Ok);
   EXPECT_NEAR(theirs->time(), ours->time(), 1e-12);
   EXPECT_LE((theirs->q() - ours->q()).cwiseAbs().maxCoeff(), 1e-4);
   EXPECT_LE((theirs->v() - ours->v()).cwiseAbs().maxCoeff(), 1e-2);
@@ -78,10 +74,7 @@ INSTANTIATE_TEST_SUITE_P(robots, MujocoPlantModel,
 
 TEST(MujocoPlant, Followers_AreAtTheirLeadersPositions) {
   const Model model = TestRobot{"followers", Base::Fixed, "tip"}.model();
-  SceneSpec scene;
-  scene.tip.frame = "tip";
-  scene.surface.point.z() = -100.0;
-  mujoco::Engine engine(model, scene, {});
+  mujoco::Engine engine(model, out_of_reach("tip"), {});
   std::mt19937_64 generator(6);
   const Eigen::VectorXd q = random_configuration(model, generator);
   const Eigen::VectorXd v = random_vector(model.nv, 1.0, generator);
@@ -108,15 +101,17 @@ TEST(MujocoPlant, PenetrationDepth_IsForceOverStiffness) {
     PolishingCase setup;
     setup.ki = 10.0;
     PolishingRun run(setup, [&](const Model& model, SceneSpec scene) {
-      scene.surface.stiffness = stiffness;
+      scene.tool().surface.stiffness = stiffness;
       return make_mujoco_plant(model, scene);
     });
-    ASSERT_EQ(run.run(1.5), Status::Ok);
+    ASSERT_EQ(run.run(1.5 - run.plant().dt()), Status::Ok);
+    const Eigen::VectorXd q_before = run.plant().q();
+    ASSERT_EQ(run.run(run.plant().dt()), Status::Ok);
     RigidBody body(run.plant().model());
     ASSERT_EQ(body.update(run.plant().q(), run.plant().v()), Status::Ok);
     const double depth =
-        -gap(run.plant().scene(), body.placement(body.frame("tool")).translation());
-    const double force = run.plant().contact_force_world().z();
+        -gap(run.plant().scene().tool(), body.placement(body.frame("tool")).translation());
+    const double force = force_world(run.plant(), q_before).z();
     EXPECT_NEAR(force, 30.0, 1.0);
     EXPECT_NEAR(depth * stiffness / force, 1.0, 0.01);
   }
@@ -129,11 +124,11 @@ TEST(MujocoPlant, ExactContact_MatchesTheEnginesContact) {
     Eigen::VectorXd q;
     const Model model = plant_model(right_arm(&q), {});
     const Eigen::Vector3d n = Eigen::Vector3d(0.1, -0.2, 1.0).normalized();
-    SceneSpec scene;
-    scene.surface.friction = 0.3;
-    scene.surface.damping = 200.0;
-    scene.surface.shape = {.kind = kind, .radius = 0.3};
-    scene = scene_under_tip(model, q, n, scene);
+    TouchSpec tip = round_tip();
+    tip.surface.friction = 0.3;
+    tip.surface.damping = 200.0;
+    tip.surface.shape = {.kind = kind, .radius = 0.3};
+    const SceneSpec scene{.touches = {with_surface_at(model, q, n, tip)}};
     const auto run = [&](MujocoContact contact) {
       const auto plant = make_mujoco_plant(model, scene, {.contact = contact});
       EXPECT_EQ(plant->reset(q, Eigen::VectorXd::Zero(model.nv)), Status::Ok);
@@ -148,8 +143,9 @@ TEST(MujocoPlant, ExactContact_MatchesTheEnginesContact) {
         const Eigen::VectorXd tau = Eigen::VectorXd(body.gravity_torque()) +
                                     motion.jacobian.topRows(3).transpose() * push -
                                     3.0 * plant->v();
-        EXPECT_EQ(plant->step(tau, Eigen::Vector3d::Zero()), Status::Ok);
-        if (i == 999 || i == 1199) forces.push_back(plant->contact_force_world());
+        const Eigen::VectorXd q_before = plant->q();
+        EXPECT_EQ(plant->step(tau), Status::Ok);
+        if (i == 999 || i == 1199) forces.push_back(force_world(*plant, q_before));
       }
       return forces;
     };
@@ -165,15 +161,14 @@ TEST(MujocoPlant, ExactContact_MatchesTheEnginesContact) {
 TEST(MujocoPlant, EngineContact_RefusesUnsupportedShapes) {
   Eigen::VectorXd q;
   const Model model = plant_model(right_arm(&q), {});
-  SceneSpec scene;
-  scene.surface.shape = {.kind = SurfaceShape::Kind::Saddle};
+  SceneSpec scene{.touches = {round_tip()}};
+  scene.tool().surface.shape = {.kind = SurfaceShape::Kind::Saddle};
   const std::string sentence = testing::refusal(
       [&] { make_mujoco_plant(model, scene, {.contact = MujocoContact::Engine}); });
   testing::expect_words(sentence, {"does not support a saddle", "contact: exact"});
-  scene.surface.shape = {.kind = SurfaceShape::Kind::Sphere, .radius = 0.01, .hollow = true};
-  testing::expect_words(
-      testing::refusal([&] { make_mujoco_plant(model, scene); }),
-      {"0.02 m does not fit into the hollow sphere", "wanted a tip radius below"});
+  scene.tool().surface.shape = {.kind = SurfaceShape::Kind::Sphere, .radius = 0.01, .hollow = true};
+  testing::expect_words(testing::refusal([&] { make_mujoco_plant(model, scene); }),
+                        {"0.02 m does not fit into the hollow sphere", "wanted a radius below"});
 }
 
 /// Returns the smallest joint velocities that move the tip with this velocity, without rotation.
@@ -192,14 +187,14 @@ TEST(MujocoPlant, MovingSurface_GivesTheForceOfAnApproachingTip) {
   Eigen::VectorXd q;
   const Model model = plant_model(right_arm(&q), {});
   const Eigen::Vector3d normal = Eigen::Vector3d(-0.6, 0.0, 0.8);
-  SceneSpec at_rest = scene_under_tip(model, q, normal, {}, -1e-4);  // 10 N by stiffness
+  const SceneSpec at_rest = plane_under_tip(model, q, normal, -1e-4);  // 10 N by stiffness
   SceneSpec moving = at_rest;
-  moving.surface.motion = {.drift = 0.02};  // 10 N by damping
+  moving.tool().surface.motion = {.drift = 0.02};  // 10 N by damping
   const auto force = [&](const SceneSpec& scene, const Eigen::VectorXd& v) {
     const auto plant = make_mujoco_plant(model, scene, {.dt = 1e-5});
     EXPECT_EQ(plant->reset(q, v), Status::Ok);
-    EXPECT_EQ(plant->step(Eigen::VectorXd::Zero(model.nv), Eigen::Vector3d::Zero()), Status::Ok);
-    return plant->contact_force_world();
+    EXPECT_EQ(plant->step(Eigen::VectorXd::Zero(model.nv)), Status::Ok);
+    return force_world(*plant, q);
   };
   const Eigen::VectorXd still = Eigen::VectorXd::Zero(model.nv);
   const Eigen::Vector3d moving_force = force(moving, still);
@@ -211,8 +206,9 @@ TEST(MujocoPlant, MovingSurface_GivesTheForceOfAnApproachingTip) {
 TEST(MujocoPlant, MovingSurface_CarriesThePressedTip) {
   Eigen::VectorXd q;
   const Model model = plant_model(right_arm(&q), {});
-  SceneSpec scene = scene_under_tip(model, q, {0.0, 0.0, 1.0});
-  scene.surface.motion = {.amplitude = 2e-3, .frequency = 2.0, .drift = 5e-3, .start = 0.1};
+  SceneSpec scene = plane_under_tip(model, q, {0.0, 0.0, 1.0});
+  TouchSpec& tip = scene.tool();
+  tip.surface.motion = {.amplitude = 2e-3, .frequency = 2.0, .drift = 5e-3, .start = 0.1};
   const auto plant = make_mujoco_plant(model, scene);
   ASSERT_EQ(plant->reset(q, Eigen::VectorXd::Zero(model.nv)), Status::Ok);
   RigidBody body(model);
@@ -221,18 +217,17 @@ TEST(MujocoPlant, MovingSurface_CarriesThePressedTip) {
     ASSERT_EQ(body.update(plant->q(), plant->v()), Status::Ok);
     body.frame_derivatives(body.frame("tool"), Reference::centered(), motion);
     const double height = body.placement(body.frame("tool")).translation().z();
-    const double surface =
-        scene.surface.point.z() + scene.surface.motion.displacement(plant->time());
+    const double surface = tip.surface.point.z() + tip.surface.motion.displacement(plant->time());
     if (plant->time() > 0.05) {
-      EXPECT_TRUE(plant->in_contact()) << plant->time();
-      EXPECT_NEAR(height - surface, scene.tip.radius, 6e-4) << plant->time();
+      EXPECT_TRUE(is_touching(*plant)) << plant->time();
+      EXPECT_NEAR(height - surface, tip.radius, 6e-4) << plant->time();
     }
     Eigen::VectorXd tau = body.gravity_torque() - 3.0 * plant->v();
     tau += motion.jacobian.topRows(3).transpose() * Eigen::Vector3d(0.0, 0.0, -30.0);
-    ASSERT_EQ(plant->step(tau, Eigen::Vector3d::Zero()), Status::Ok);
+    ASSERT_EQ(plant->step(tau), Status::Ok);
   }
-  EXPECT_EQ(scene.surface.motion.displacement(0.1), 0.0);
-  EXPECT_NEAR(scene.surface.motion.displacement(0.225), 2e-3 + 0.125 * 5e-3, 1e-12);
+  EXPECT_EQ(tip.surface.motion.displacement(0.1), 0.0);
+  EXPECT_NEAR(tip.surface.motion.displacement(0.225), 2e-3 + 0.125 * 5e-3, 1e-12);
 }
 
 TEST(MujocoPlant, Ridge_GivesANormalForceAtFacesAndEdge) {
@@ -240,16 +235,17 @@ TEST(MujocoPlant, Ridge_GivesANormalForceAtFacesAndEdge) {
   const Model model = plant_model(right_arm(&q), {});
   constexpr double slope = 0.3, radius = 0.02;
   const auto direction = [&](double edge) {
-    SceneSpec scene = scene_under_tip(model, q, {0.0, 0.0, 1.0});
-    scene.surface.shape = {.kind = SurfaceShape::Kind::Ridge, .edge = edge, .slope = slope};
+    SceneSpec scene = plane_under_tip(model, q, {0.0, 0.0, 1.0});
+    TouchSpec& tip = scene.tool();
+    tip.surface.shape = {.kind = SurfaceShape::Kind::Ridge, .edge = edge, .slope = slope};
     // The tip is 0.1 mm inside the surface, at any edge position.
-    const double clearance = gap(scene, frame_placement(model, q, "tool").translation());
-    scene.surface.point.z() += (clearance + 1e-4) / std::cos(edge < -radius ? slope : 0.0);
+    const double clearance = gap(tip, frame_placement(model, q, "tool").translation());
+    tip.surface.point.z() += (clearance + 1e-4) / std::cos(edge < -radius ? slope : 0.0);
     const auto plant = make_mujoco_plant(model, scene);
     EXPECT_EQ(plant->reset(q, Eigen::VectorXd::Zero(model.nv)), Status::Ok);
-    EXPECT_EQ(plant->step(Eigen::VectorXd::Zero(model.nv), Eigen::Vector3d::Zero()), Status::Ok);
-    EXPECT_TRUE(plant->in_contact()) << edge;
-    const Eigen::Vector3d force = plant->contact_force_world().normalized();
+    EXPECT_EQ(plant->step(Eigen::VectorXd::Zero(model.nv)), Status::Ok);
+    EXPECT_TRUE(is_touching(*plant)) << edge;
+    const Eigen::Vector3d force = force_world(*plant, q).normalized();
     const Eigen::Matrix3d axes = Reference::surface_with_normal({0.0, 0.0, 1.0}).rotation;
     const Eigen::Vector3d seen = axes.transpose() * force;
     EXPECT_NEAR(seen.y(), 0.0, 1e-12);
@@ -265,8 +261,8 @@ TEST(MujocoPlant, Ridge_GivesANormalForceAtFacesAndEdge) {
 TEST(MujocoPlant, MovingSurface_IsRefusedByPlantsWithoutSupport) {
   Eigen::VectorXd q;
   const Model model = plant_model(right_arm(&q), {});
-  SceneSpec scene;
-  scene.surface.motion.amplitude = 1e-3;
+  SceneSpec scene{.touches = {round_tip()}};
+  scene.tool().surface.motion.amplitude = 1e-3;
   testing::expect_words(testing::refusal([&] {
                           make_mujoco_plant(model, scene, {.contact = MujocoContact::Engine});
                         }),
@@ -278,20 +274,19 @@ TEST(MujocoPlant, MovingSurface_IsRefusedByPlantsWithoutSupport) {
 TEST(MujocoPlant, DivergingTorque_ReturnsAStatusAndKeepsTheState) {
   Eigen::VectorXd q;
   const Model model = right_arm(&q);
-  SceneSpec scene = scene_under_tip(model, q, {0.0, 0.0, 1.0});
+  const SceneSpec scene = plane_under_tip(model, q, {0.0, 0.0, 1.0});
   const auto plant = make_mujoco_plant(model, scene);
   ASSERT_EQ(plant->reset(q, Eigen::VectorXd::Zero(model.nv)), Status::Ok);
   const Eigen::VectorXd huge = Eigen::VectorXd::Constant(model.nv, 5e8);
-  EXPECT_EQ(plant->step(huge, Eigen::Vector3d::Zero()), Status::NotFinite);
+  EXPECT_EQ(plant->step(huge), Status::NotFinite);
   EXPECT_EQ(plant->q(), q);
-  EXPECT_EQ(plant->step(Eigen::VectorXd::Zero(model.nv), Eigen::Vector3d::Zero()), Status::Ok);
+  EXPECT_EQ(plant->step(Eigen::VectorXd::Zero(model.nv)), Status::Ok);
 }
 
 TEST(MujocoPlant, JointStops_LimitPositionsUnlessDisabled) {
   Eigen::VectorXd q;
   const Model model = plant_model(right_arm(&q), {});
-  SceneSpec scene;
-  scene.surface.point.z() = -100.0;
+  const SceneSpec scene = out_of_reach();
   MujocoPlantOptions without_stops;
   without_stops.joint_stops = false;
   const auto stopped = make_mujoco_plant(model, scene);
@@ -301,7 +296,7 @@ TEST(MujocoPlant, JointStops_LimitPositionsUnlessDisabled) {
   tau[last] = 30.0;
   for (Plant* plant : {stopped.get(), endless.get()}) {
     ASSERT_EQ(plant->reset(q, Eigen::VectorXd::Zero(model.nv)), Status::Ok);
-    for (int i = 0; i < 1000; ++i) ASSERT_EQ(plant->step(tau, Eigen::Vector3d::Zero()), Status::Ok);
+    for (int i = 0; i < 1000; ++i) ASSERT_EQ(plant->step(tau), Status::Ok);
   }
   EXPECT_LE(stopped->q()[last], model.q_upper[last] + 0.1);
   EXPECT_GT(endless->q()[last], model.q_upper[last] + 0.5);

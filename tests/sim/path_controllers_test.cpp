@@ -110,7 +110,7 @@ TEST_P(PathController, InvalidMeasurement_ReturnsAStatusAndTheLastTorque) {
   ASSERT_EQ(run.run(0.1), Status::Ok);
   Measurement bad = run.loop().measurement();
   const Eigen::VectorXd before = run.controller().tick(bad).tau;
-  bad.tool_wrench[2] = std::nan("");
+  bad.wrenches(2, 0) = std::nan("");
   EXPECT_EQ(run.controller().tick(bad).status, Status::NotFinite);
   EXPECT_EQ(run.controller().tick(bad).tau, before);
   bad.q = Eigen::VectorXd::Zero(2);

@@ -5,11 +5,13 @@
 
 #include "burnish/derivatives/contact_dynamics.hpp"
 #include "burnish/derivatives/rigid_body.hpp"
+#include "burnish/sim/closed_loop.hpp"
 #include "burnish/sim/ideal_plant.hpp"
 #ifdef BURNISH_HAS_MUJOCO
 #include "burnish/mujoco/mujoco_plant.hpp"
 #endif
 #include "support/allocation_guard.hpp"
+#include "support/constant_torque.hpp"
 #include "support/polishing_run.hpp"
 #include "support/refusal.hpp"
 #include "support/robots.hpp"
@@ -47,9 +49,7 @@ class PlantLaw : public ::testing::TestWithParam<Kind> {
   explicit PlantLaw() : model(plant_model(right_arm(&q), {})) {}
 
   SceneSpec scene(const Eigen::Vector3d& normal, double clearance, double friction = 0.0) const {
-    SceneSpec result;
-    result.surface.friction = friction;
-    return scene_under_tip(model, q, normal, result, clearance);
+    return plane_under_tip(model, q, normal, clearance, friction);
   }
   std::unique_ptr<Plant> at_rest(const Eigen::Vector3d& normal, double clearance,
                                  double friction = 0.0) const {
@@ -82,12 +82,11 @@ TEST_P(PlantLaw, FreeMotion_MatchesTheModelsAcceleration) {
   const Eigen::VectorXd tau = random_vector(model.nv, 20.0, generator);
   ASSERT_EQ(plant->reset(q, v), Status::Ok);
   ASSERT_EQ(dynamics.forward(q, v, tau), Status::Ok);
-  ASSERT_EQ(plant->step(tau, Eigen::Vector3d::Zero()), Status::Ok);
+  ASSERT_EQ(plant->step(tau), Status::Ok);
   const Eigen::VectorXd a = (plant->v() - v) / plant->dt();
   EXPECT_LE((a - dynamics.a()).norm(), 0.02 * dynamics.a().norm());
   EXPECT_EQ(plant->time(), plant->dt());
-  EXPECT_FALSE(plant->in_contact());
-  EXPECT_EQ(plant->contact_force_world(), Eigen::Vector3d::Zero());
+  EXPECT_FALSE(is_touching(*plant));
 }
 
 TEST_P(PlantLaw, PressedSurface_ReactsAlongItsNormal) {
@@ -95,14 +94,18 @@ TEST_P(PlantLaw, PressedSurface_ReactsAlongItsNormal) {
        {Eigen::Vector3d(0, 0, 1), Eigen::Vector3d(-1, 0, 0), Eigen::Vector3d(-0.6, 0.0, 0.8)}) {
     const auto plant = at_rest(normal, 0.0);
     // The contact is frictionless: the reaction to a normal force is along the normal.
-    for (int i = 0; i < 200; ++i)
-      ASSERT_EQ(plant->step(holding(*plant, -30.0 * normal), Eigen::Vector3d::Zero()), Status::Ok);
-    EXPECT_TRUE(plant->in_contact());
-    const Eigen::Vector3d force = plant->contact_force_world();
+    Eigen::VectorXd q_before;
+    for (int i = 0; i < 200; ++i) {
+      q_before = plant->q();
+      ASSERT_EQ(plant->step(holding(*plant, -30.0 * normal)), Status::Ok);
+    }
+    EXPECT_TRUE(is_touching(*plant));
+    const Eigen::Vector3d force = force_world(*plant, q_before);
     EXPECT_GT(force.dot(normal), 5.0);
     EXPECT_LE((force - force.dot(normal) * normal).norm(), 1e-9 * force.norm());
     ASSERT_EQ(body.update(plant->q(), plant->v()), Status::Ok);
-    const double depth = gap(plant->scene(), body.placement(body.frame("tool")).translation());
+    const double depth =
+        gap(plant->scene().tool(), body.placement(body.frame("tool")).translation());
     EXPECT_LE(depth, 1e-5);
     EXPECT_GE(depth, -GetParam().sinking);
   }
@@ -111,42 +114,39 @@ TEST_P(PlantLaw, PressedSurface_ReactsAlongItsNormal) {
 TEST_P(PlantLaw, SurfaceExtent_EndsTheContact) {
   const Eigen::Vector3d normal(-0.6, 0.0, 0.8);
   SceneSpec square = scene(normal, 0.0);
-  square.surface.extent = 0.05;
+  square.tool().surface.extent = 0.05;
   const Eigen::Matrix3d axes = Reference::surface_with_normal(normal).rotation;
   for (const int side : {0, 1})
     for (const double offset : {-0.051, -0.049, 0.049, 0.051}) {
       SceneSpec beside = square;
-      beside.surface.point += offset * axes.col(side);
+      beside.tool().surface.point += offset * axes.col(side);
       const auto plant = started(model, beside);
       for (int i = 0; i < 20; ++i)
-        ASSERT_EQ(plant->step(holding(*plant, -30.0 * normal), Eigen::Vector3d::Zero()),
-                  Status::Ok);
-      EXPECT_EQ(plant->in_contact(), std::abs(offset) < 0.05) << side << " " << offset;
+        ASSERT_EQ(plant->step(holding(*plant, -30.0 * normal)), Status::Ok);
+      EXPECT_EQ(is_touching(*plant), std::abs(offset) < 0.05) << side << " " << offset;
     }
 }
 
 TEST_P(PlantLaw, TipBeyondTheEdge_HasNoContactFromBelow) {
   const Eigen::Vector3d normal(0.0, 0.0, 1.0);
   SceneSpec square = scene(normal, 0.0);
-  square.surface.extent = 0.05;
+  square.tool().surface.extent = 0.05;
   const Eigen::Vector3d along = Reference::surface_with_normal(normal).rotation.col(0);
-  square.surface.point -= 0.049 * along;
+  square.tool().surface.point -= 0.049 * along;
   const auto plant = started(model, square);
   const auto push = [&](const Eigen::Vector3d& force, int steps) {
-    for (int i = 0; i < steps; ++i)
-      ASSERT_EQ(plant->step(holding(*plant, force), Eigen::Vector3d::Zero()), Status::Ok);
+    for (int i = 0; i < steps; ++i) ASSERT_EQ(plant->step(holding(*plant, force)), Status::Ok);
   };
   push(-20.0 * normal, 20);
-  EXPECT_TRUE(plant->in_contact());
+  EXPECT_TRUE(is_touching(*plant));
   push(-20.0 * normal + 20.0 * along, 400);
-  EXPECT_FALSE(plant->in_contact());
+  EXPECT_FALSE(is_touching(*plant));
   push(-60.0 * normal, 200);
   ASSERT_EQ(body.update(plant->q(), plant->v()), Status::Ok);
   EXPECT_LT(body.placement(body.frame("tool")).translation().dot(normal),
-            square.surface.point.dot(normal));
+            square.tool().surface.point.dot(normal));
   push(-40.0 * along - 20.0 * normal, 400);
-  EXPECT_FALSE(plant->in_contact());
-  EXPECT_EQ(plant->contact_force_world(), Eigen::Vector3d::Zero());
+  EXPECT_FALSE(is_touching(*plant));
 }
 
 TEST_P(PlantLaw, SoftSurface_StaysInContactWhenTheTipSinks) {
@@ -154,18 +154,16 @@ TEST_P(PlantLaw, SoftSurface_StaysInContactWhenTheTipSinks) {
   // endless one.
   const Eigen::Vector3d normal(0.0, 0.0, 1.0);
   SceneSpec soft = scene(normal, 0.0);
-  soft.surface.stiffness = 500.0;
+  soft.tool().surface.stiffness = 500.0;
   SceneSpec square = soft;
-  square.surface.extent = 0.4;
+  square.tool().surface.extent = 0.4;
   Model braked = model;
   braked.damping.setConstant(50.0);
   const auto endless = started(braked, soft), ending = started(braked, square);
   for (int i = 0; i < 4000; ++i)
     for (const auto* plant : {&endless, &ending})
-      ASSERT_EQ((*plant)->step(holding(**plant, -60.0 * normal), Eigen::Vector3d::Zero()),
-                Status::Ok);
-  EXPECT_TRUE(ending->in_contact());
-  EXPECT_GT(ending->contact_force_world().norm(), 30.0);
+      ASSERT_EQ((*plant)->step(holding(**plant, -60.0 * normal)), Status::Ok);
+  EXPECT_GT(ending->wrenches().col(0).head<3>().norm(), 30.0);
   EXPECT_EQ(ending->q(), endless->q());
 }
 
@@ -175,28 +173,30 @@ TEST_P(PlantLaw, AtRest_GravityContactAndTorqueBalance) {
   braked.damping.setConstant(200.0);
   const Eigen::Vector3d normal(0.0, 0.0, 1.0);
   const auto plant = started(braked, scene(normal, 0.0));
-  Eigen::VectorXd tau;
+  Eigen::VectorXd tau, q_before;
   for (int i = 0; i < 4000; ++i) {
     tau = holding(*plant, -30.0 * normal) + 2.0 * plant->v();
-    ASSERT_EQ(plant->step(tau, Eigen::Vector3d::Zero()), Status::Ok);
+    q_before = plant->q();
+    ASSERT_EQ(plant->step(tau), Status::Ok);
   }
   // M a = tau - gravity + friction + J^T force, with a and v almost zero.
   ASSERT_EQ(body.update(plant->q(), plant->v()), Status::Ok);
-  body.frame_derivatives(body.frame("tool"), Reference::centered(), motion);
+  const Eigen::Vector3d force = force_world(*plant, q_before);
   const Eigen::VectorXd rest =
-      tau - body.gravity_torque() + plant->friction_torque() +
-      motion.jacobian.topRows(3).transpose() * plant->contact_force_world();
+      tau - body.gravity_torque() + plant->friction_torque() + torque_of_force(body, "tool", force);
   EXPECT_LE(rest.cwiseAbs().maxCoeff(), 0.1);
-  EXPECT_GT(plant->contact_force_world().z(), 5.0);
+  EXPECT_GT(force.z(), 5.0);
 }
 
 TEST_P(PlantLaw, Push_EqualsItsJointTorques) {
   const Eigen::Vector3d push(3.0, -4.0, 5.0);
   const auto pushed = at_rest({0.0, 0.0, 1.0}, 0.5), driven = at_rest({0.0, 0.0, 1.0}, 0.5);
   const Eigen::VectorXd hold = holding(*pushed, Eigen::Vector3d::Zero());
-  const Eigen::VectorXd torque = motion.jacobian.topRows(3).transpose() * push;
-  ASSERT_EQ(pushed->step(hold, push), Status::Ok);
-  ASSERT_EQ(driven->step(hold + torque, Eigen::Vector3d::Zero()), Status::Ok);
+  ConstantTorque controller(hold);
+  ClosedLoop loop(*pushed, controller, {.pushes = {{.duration = 1.0, .force_world = push}}});
+  ASSERT_EQ(loop.reset(q, Eigen::VectorXd::Zero(model.nv)), Status::Ok);
+  ASSERT_EQ(loop.step(), Status::Ok);
+  ASSERT_EQ(driven->step(hold + torque_of_force(body, "tool", push)), Status::Ok);
   EXPECT_LE((pushed->v() - driven->v()).norm(), 1e-12);
   EXPECT_GT(pushed->v().norm(), 1e-4);
 }
@@ -204,28 +204,32 @@ TEST_P(PlantLaw, Push_EqualsItsJointTorques) {
 TEST_P(PlantLaw, SeparatingTip_GetsNoForce) {
   const auto plant = at_rest({0.0, 0.0, 1.0}, 0.0, 0.3);
   for (int i = 0; i < 400; ++i) {
-    const double force = i < 100 ? -30.0 : 30.0;
-    ASSERT_EQ(plant->step(holding(*plant, {0.0, 0.0, force}), Eigen::Vector3d::Zero()), Status::Ok);
-    EXPECT_GE(plant->contact_force_world().z(), 0.0);
-    EXPECT_EQ(plant->in_contact(), plant->contact_force_world().z() > 0.0);
+    const double pressed = i < 100 ? -30.0 : 30.0;
+    const Eigen::VectorXd q_before = plant->q();
+    ASSERT_EQ(plant->step(holding(*plant, {0.0, 0.0, pressed})), Status::Ok);
+    const Eigen::Vector3d force = force_world(*plant, q_before);
+    EXPECT_GE(force.z(), 0.0);
+    EXPECT_EQ(is_touching(*plant), force.z() > 0.0);
   }
-  EXPECT_FALSE(plant->in_contact());
+  EXPECT_FALSE(is_touching(*plant));
   ASSERT_EQ(body.update(plant->q(), plant->v()), Status::Ok);
-  EXPECT_GT(gap(plant->scene(), body.placement(body.frame("tool")).translation()), 1e-3);
+  EXPECT_GT(gap(plant->scene().tool(), body.placement(body.frame("tool")).translation()), 1e-3);
 }
 
 TEST_P(PlantLaw, SlidingTip_GetsCoulombFrictionAgainstItsMotion) {
   const double mu = 0.3;
   const auto plant = at_rest({0.0, 0.0, 1.0}, 0.0, mu);
-  for (int i = 0; i < 300; ++i)
-    ASSERT_EQ(plant->step(holding(*plant, {40.0, 0.0, -30.0}), Eigen::Vector3d::Zero()),
-              Status::Ok);
-  const Eigen::Vector3d force = plant->contact_force_world();
+  Eigen::VectorXd q_before;
+  for (int i = 0; i < 300; ++i) {
+    q_before = plant->q();
+    ASSERT_EQ(plant->step(holding(*plant, {40.0, 0.0, -30.0})), Status::Ok);
+  }
+  const Eigen::Vector3d force = force_world(*plant, q_before);
   const Eigen::Vector2d sliding = force.head<2>();
   EXPECT_NEAR(sliding.norm(), mu * force.z(), 0.02 * mu * force.z());
   ASSERT_EQ(body.update(plant->q(), plant->v()), Status::Ok);
   const Vector6 v = body.velocity(body.frame("tool"), Reference::centered());
-  const Eigen::Vector3d arm(0.0, 0.0, -plant->scene().tip.radius);
+  const Eigen::Vector3d arm(0.0, 0.0, -plant->scene().tool().radius);
   const Eigen::Vector3d at_point = v.head<3>() + v.tail<3>().cross(arm);
   EXPECT_GT(at_point.head<2>().norm(), 1e-3);
   EXPECT_LE(sliding.dot(at_point.head<2>()), -0.99 * sliding.norm() * at_point.head<2>().norm())
@@ -237,7 +241,7 @@ TEST_P(PlantLaw, JointFriction_HoldsAndDampsJoints) {
   stiff_joints.friction.setConstant(200.0);
   const auto blocked = started(stiff_joints, scene({0.0, 0.0, 1.0}, 0.5));
   const Eigen::VectorXd none = Eigen::VectorXd::Zero(model.nv);
-  for (int i = 0; i < 200; ++i) ASSERT_EQ(blocked->step(none, Eigen::Vector3d::Zero()), Status::Ok);
+  for (int i = 0; i < 200; ++i) ASSERT_EQ(blocked->step(none), Status::Ok);
   EXPECT_LE(blocked->v().cwiseAbs().maxCoeff(), GetParam().stiction);
   // Friction carries gravity.
   ASSERT_EQ(body.update(blocked->q(), blocked->v()), Status::Ok);
@@ -247,7 +251,7 @@ TEST_P(PlantLaw, JointFriction_HoldsAndDampsJoints) {
   Model slowed = model;
   slowed.damping.setConstant(3.0);
   const auto plant = started(slowed, scene({0.0, 0.0, 1.0}, 0.5));
-  for (int i = 0; i < 100; ++i) ASSERT_EQ(plant->step(none, Eigen::Vector3d::Zero()), Status::Ok);
+  for (int i = 0; i < 100; ++i) ASSERT_EQ(plant->step(none), Status::Ok);
   EXPECT_LE((plant->friction_torque() + 3.0 * plant->v()).norm(), 0.05 * 3.0 * plant->v().norm());
 }
 
@@ -278,8 +282,8 @@ TEST_P(PlantLaw, SpringsAndTendons_ActAsTheModelsPassiveTorque) {
   ASSERT_EQ(loose_body.update(q, v), Status::Ok);
   const Eigen::VectorXd pull = sprung_body.passive_torque() - loose_body.passive_torque();
   EXPECT_GT(pull.norm(), 50.0);
-  ASSERT_EQ(plant->step(tau, Eigen::Vector3d::Zero()), Status::Ok);
-  ASSERT_EQ(loose->step(tau + pull, Eigen::Vector3d::Zero()), Status::Ok);
+  ASSERT_EQ(plant->step(tau), Status::Ok);
+  ASSERT_EQ(loose->step(tau + pull), Status::Ok);
   const double moved = (loose->v() - v).norm();
   EXPECT_LE((plant->v() - loose->v()).norm(), 0.02 * moved);
   EXPECT_LE((plant->friction_torque() - loose->friction_torque() - pull).norm(),
@@ -290,23 +294,23 @@ TEST_P(PlantLaw, RestoredSnapshot_GivesTheSameBits) {
   const auto plant = at_rest({0.0, 0.0, 1.0}, 1e-4, 0.3);
   const auto drive = [&](int steps) {
     for (int i = 0; i < steps; ++i)
-      ASSERT_EQ(plant->step(holding(*plant, {10.0, 0.0, -30.0}), {0.0, 1.0, 0.0}), Status::Ok);
+      ASSERT_EQ(plant->step(holding(*plant, {10.0, 1.0, -30.0})), Status::Ok);
   };
   drive(150);
   PlantSnapshot snapshot;
   plant->save(snapshot);
-  const Eigen::Vector3d force = plant->contact_force_world();
+  const Wrenches wrenches = plant->wrenches();
   drive(100);
   const Eigen::VectorXd q_then = plant->q(), v_then = plant->v();
-  const Eigen::Vector3d force_then = plant->contact_force_world();
-  EXPECT_NE(force, force_then);
+  const Wrenches wrenches_then = plant->wrenches();
+  EXPECT_NE(wrenches, wrenches_then);
   ASSERT_EQ(plant->restore(snapshot), Status::Ok);
-  EXPECT_EQ(plant->contact_force_world(), force);
+  EXPECT_EQ(plant->wrenches(), wrenches);
   EXPECT_NEAR(plant->time(), 150 * plant->dt(), 1e-12);
   drive(100);
   EXPECT_EQ(plant->q(), q_then);
   EXPECT_EQ(plant->v(), v_then);
-  EXPECT_EQ(plant->contact_force_world(), force_then);
+  EXPECT_EQ(plant->wrenches(), wrenches_then);
 
   snapshot.numbers.conservativeResize(snapshot.numbers.size() - 1);
   EXPECT_EQ(plant->restore(snapshot), Status::WrongSize);
@@ -318,10 +322,11 @@ TEST_P(PlantLaw, InvalidInput_ReturnsAStatusAndKeepsTheState) {
   const Eigen::VectorXd v = Eigen::VectorXd::Zero(model.nv);
   Eigen::VectorXd bad = v;
   bad[2] = std::numeric_limits<double>::quiet_NaN();
-  const Eigen::Vector3d none = Eigen::Vector3d::Zero();
-  EXPECT_EQ(plant->step(bad, none), Status::NotFinite);
-  EXPECT_EQ(plant->step(v, {0.0, 0.0, std::numeric_limits<double>::infinity()}), Status::NotFinite);
-  EXPECT_EQ(plant->step(v.head(3), none), Status::WrongSize);
+  Eigen::VectorXd endless = v;
+  endless[2] = std::numeric_limits<double>::infinity();
+  EXPECT_EQ(plant->step(bad), Status::NotFinite);
+  EXPECT_EQ(plant->step(endless), Status::NotFinite);
+  EXPECT_EQ(plant->step(v.head(3)), Status::WrongSize);
   EXPECT_EQ(plant->reset(q, bad), Status::NotFinite);
   EXPECT_EQ(plant->reset(q.head(2), v), Status::WrongSize);
   EXPECT_EQ(plant->q(), q);
@@ -330,26 +335,26 @@ TEST_P(PlantLaw, InvalidInput_ReturnsAStatusAndKeepsTheState) {
 }
 
 TEST_P(PlantLaw, RobotWithoutATool_TouchesNothing) {
-  // The surface is where the tool is.
-  SceneSpec without = scene({0.0, 0.0, 1.0}, -0.01);
+  const SceneSpec without;
   const auto above = started(model, scene({0.0, 0.0, 1.0}, 0.5));
-  without.tip.frame.clear();
   const auto plant = started(model, without);
   const Eigen::VectorXd tau = Eigen::VectorXd::LinSpaced(model.nv, -5.0, 5.0);
   for (int i = 0; i < 20; ++i) {
-    ASSERT_EQ(plant->step(tau, {0.0, 0.0, 50.0}), Status::Ok);  // the push has nothing to act on
-    ASSERT_EQ(above->step(tau, Eigen::Vector3d::Zero()), Status::Ok);
+    ASSERT_EQ(plant->step(tau), Status::Ok);
+    ASSERT_EQ(above->step(tau), Status::Ok);
   }
   EXPECT_LT((plant->q() - above->q()).norm(), 1e-12);
-  EXPECT_FALSE(plant->in_contact());
-  EXPECT_EQ(plant->contact_force_world(), Eigen::Vector3d::Zero());
+  EXPECT_EQ(plant->wrenches().cols(), 0);
   PlantSnapshot snapshot;
   plant->save(snapshot);
   EXPECT_EQ(plant->restore(snapshot), Status::Ok);
+  EXPECT_EQ(without.tool_index(), -1);
+  testing::expect_words(testing::refusal([&] { (void)without.tool(); }),
+                        {"no tool", "not a support"});
   testing::expect_words(testing::refusal([&] {
-                          scene_under_tip(model, q, {0.0, 0.0, 1.0}, without);
+                          (void)with_surface_at(model, q, {0.0, 0.0, 1.0}, {});
                         }),
-                        {"no tip", "tip.frame"});
+                        {"touch", "no frame"});
 }
 
 TEST_P(PlantLaw, InvalidScenes_AreRefused) {
@@ -358,15 +363,58 @@ TEST_P(PlantLaw, InvalidScenes_AreRefused) {
     change(bad);
     return testing::refusal([&] { GetParam().make(model, bad); });
   };
-  testing::expect_words(refused([](SceneSpec& s) { s.tip.frame = "tol"; }), {"'tol'", "tool"});
+  testing::expect_words(refused([](SceneSpec& s) { s.tool().frame = "tol"; }), {"'tol'", "tool"});
   const std::string root = has_robot_files ? "base_link" : "base";
-  testing::expect_words(refused([&](SceneSpec& s) { s.tip.frame = root; }),
+  testing::expect_words(refused([&](SceneSpec& s) { s.tool().frame = root; }),
                         {root, "fixed to the world"});
-  testing::expect_words(refused([](SceneSpec& s) { s.surface.normal.setZero(); }), {"normal"});
-  testing::expect_words(refused([](SceneSpec& s) { s.surface.friction = -1.0; }),
+  testing::expect_words(refused([](SceneSpec& s) { s.tool().surface.normal.setZero(); }),
+                        {"normal"});
+  testing::expect_words(refused([](SceneSpec& s) { s.tool().surface.friction = -1.0; }),
                         {"friction", "-1"});
-  testing::expect_words(refused([](SceneSpec& s) { s.tip.radius = 0.0; }),
+  testing::expect_words(refused([](SceneSpec& s) { s.tool().radius = 0.0; }),
                         {"radius", "more than 0"});
+}
+
+TEST_P(PlantLaw, InvalidTouches_AreRefused) {
+  const auto refused = [&](auto&& change) {
+    SceneSpec bad = scene({0.0, 0.0, 1.0}, 0.0);
+    bad.touches.push_back(bad.tool());
+    bad.touches[1].is_support = true;
+    change(bad.touches[1]);
+    return testing::refusal([&] { GetParam().make(model, bad); });
+  };
+  const std::string flange = has_robot_files ? "wrist_right_ft_link" : "flange";
+  testing::expect_words(refused([](TouchSpec&) {}), {"two touches with frame 'tool'"});
+  testing::expect_words(refused([](TouchSpec& t) { t.frame.clear(); }), {"touch", "no frame"});
+  testing::expect_words(refused([&](TouchSpec& t) {
+                          t.frame = flange;
+                          t.half_x = 0.1;
+                        }),
+                        {flange, "0.1 and 0 m", "both above 0 for a rectangle"});
+  testing::expect_words(refused([&](TouchSpec& t) {
+                          t.frame = flange;
+                          t.half_x = t.half_y = 0.1;
+                          t.is_support = false;
+                        }),
+                        {flange, "a rectangle and a tool", "is_support"});
+  const auto surface_refused = [&](auto&& change) {
+    return refused([&](TouchSpec& t) {
+      t.frame = flange;
+      change(t.surface);
+    });
+  };
+  const std::string wanted = "wanted a plane in the world without edges for a support";
+  testing::expect_words(surface_refused([](SurfaceSpec& s) {
+                          s.shape = {.kind = SurfaceShape::Kind::Sphere, .radius = 0.5};
+                        }),
+                        {flange, "its surface is a sphere", wanted});
+  const std::string carrier = has_robot_files ? "torso_2_link" : "link_1";
+  testing::expect_words(surface_refused([&](SurfaceSpec& s) { s.frame = carrier; }),
+                        {flange, "its surface is carried by frame", carrier, wanted});
+  testing::expect_words(surface_refused([](SurfaceSpec& s) { s.motion.drift = 0.1; }),
+                        {flange, "its surface moves", wanted});
+  testing::expect_words(surface_refused([](SurfaceSpec& s) { s.extent = 0.1; }),
+                        {flange, "its surface has edges", wanted});
 }
 
 TEST_P(PlantLaw, Run_AllocatesNothing) {
@@ -375,15 +423,15 @@ TEST_P(PlantLaw, Run_AllocatesNothing) {
   with_friction.friction.setConstant(0.5);
   with_friction.damping.setConstant(0.5);
   const auto plant = started(with_friction, scene({0.0, 0.0, 1.0}, 1e-4, 0.3));
-  const Eigen::VectorXd tau = holding(*plant, {5.0, 0.0, -30.0});
+  const Eigen::VectorXd tau = holding(*plant, {6.0, 0.0, -30.0});
   PlantSnapshot snapshot;
   plant->save(snapshot);
   Status status = Status::Ok;
   bool touched = false;
   const AllocationGuard guard;
   for (int i = 0; i < 200; ++i) {
-    status = worst(status, plant->step(tau, {1.0, 0.0, 0.0}));
-    touched = touched || plant->in_contact();
+    status = worst(status, plant->step(tau));
+    touched = touched || is_touching(*plant);
   }
   plant->save(snapshot);
   status = worst(status, plant->restore(snapshot));

@@ -6,6 +6,8 @@
 #include "burnish/robots/robot.hpp"
 #include "burnish/sim/closed_loop.hpp"
 #include "burnish/sim/ideal_plant.hpp"
+#include "support/constant_torque.hpp"
+#include "support/plant_touch.hpp"
 #include "support/refusal.hpp"
 
 namespace burnish::test {
@@ -17,18 +19,21 @@ struct StandingRobot {
   std::vector<const char*> feet;
   double half_x, half_y, radius;
 
-  /// Scene with ground under the feet, and a surface out of reach.
+  /// Scene with a tip whose surface is out of reach, and with ground under the feet.
   SceneSpec scene(const Robot& loaded) const {
-    SceneSpec scene;
-    scene.tip.frame = tip;
-    scene.surface.point.z() = -100.0;
+    SceneSpec scene = out_of_reach(tip);
     RigidBody body(loaded.model);
     (void)body.update(loaded.reference_configuration(), Eigen::VectorXd::Zero(loaded.model.nv));
     for (const char* foot : feet) {
-      SupportSpec support{.frame = foot, .half_x = half_x, .half_y = half_y, .radius = radius};
-      support.point = body.placement(body.frame(foot)).translation();
-      if (!support.is_sole()) support.point.z() -= radius;
-      scene.supports.push_back(support);
+      TouchSpec support{.frame = foot,
+                        .half_x = half_x,
+                        .half_y = half_y,
+                        .radius = radius,
+                        .surface = {.friction = 0.7, .stiffness = 2e6, .damping = 1e5},
+                        .is_support = true};
+      support.surface.point = body.placement(body.frame(foot)).translation();
+      if (!support.is_rectangle()) support.surface.point.z() -= radius;
+      scene.touches.push_back(support);
     }
     return scene;
   }
@@ -47,7 +52,7 @@ TEST_P(Supports, Wrenches_MatchTheChangeOfMomentum) {
   const Eigen::VectorXd zero = Eigen::VectorXd::Zero(model.nv);
   ASSERT_EQ(plant->reset(robot.reference_configuration(), zero), Status::Ok);
   // Without torque, the robot slumps onto its feet.
-  for (int i = 0; i < 2000; ++i) ASSERT_EQ(plant->step(zero, Eigen::Vector3d::Zero()), Status::Ok);
+  for (int i = 0; i < 2000; ++i) ASSERT_EQ(plant->step(zero), Status::Ok);
   ASSERT_EQ(body.update(plant->q(), plant->v()), Status::Ok);
   const Vector6 before = body.momentum();
   const Eigen::Vector3d weight = body.mass() * model.gravity;
@@ -55,12 +60,12 @@ TEST_P(Supports, Wrenches_MatchTheChangeOfMomentum) {
   expected.head<3>() = weight;
   expected.tail<3>() = body.com().cross(weight);
   std::vector<Eigen::Isometry3d> at;
-  for (const SupportSpec& support : scene.supports)
-    at.push_back(body.placement(body.frame(support.frame)));
-  ASSERT_EQ(plant->step(zero, Eigen::Vector3d::Zero()), Status::Ok);
+  for (const TouchSpec& touch : scene.touches)
+    at.push_back(body.placement(body.frame(touch.frame)));
+  ASSERT_EQ(plant->step(zero), Status::Ok);
   for (std::size_t i = 0; i < at.size(); ++i) {
-    const Vector6 wrench = plant->support_wrenches().col(static_cast<Eigen::Index>(i));
-    EXPECT_GT(wrench[2], 0.0) << scene.supports[i].frame;
+    const Vector6 wrench = plant->wrenches().col(static_cast<Eigen::Index>(i));
+    EXPECT_EQ(wrench[2] > 0.0, scene.touches[i].is_support) << scene.touches[i].frame;
     const Eigen::Vector3d f_world = at[i].linear() * wrench.head<3>();
     expected.head<3>() += f_world;
     expected.tail<3>() += at[i].linear() * wrench.tail<3>() + at[i].translation().cross(f_world);
@@ -77,24 +82,23 @@ TEST_P(Supports, SlipperyGround_LimitsTheFrictionForce) {
   const Robot robot = load_robot(GetParam().robot);
   const Model& model = robot.model;
   SceneSpec scene = GetParam().scene(robot);
-  const std::string foot = scene.supports[0].frame;
+  const TouchSpec first = scene.touches.at(1), second = scene.touches.at(2);
+  const std::string foot = first.frame;
   scene.slippery_ground = {{.start = 0.02, .duration = 0.01, .frame = foot, .friction = 0.01}};
-  EXPECT_EQ(friction_under(scene, scene.supports[0], 0.0199), 0.7);
-  EXPECT_EQ(friction_under(scene, scene.supports[0], 0.02), 0.01);
-  EXPECT_EQ(friction_under(scene, scene.supports[1], 0.02), 0.7);
-  EXPECT_EQ(friction_under(scene, scene.supports[0], 0.0301), 0.7);
+  EXPECT_EQ(friction_under(scene, first, 0.0199), 0.7);
+  EXPECT_EQ(friction_under(scene, first, 0.02), 0.01);
+  EXPECT_EQ(friction_under(scene, second, 0.02), 0.7);
+  EXPECT_EQ(friction_under(scene, first, 0.0301), 0.7);
   const auto plant = make_mujoco_plant(model, scene, {.dt = 5e-4});
   const Eigen::VectorXd zero = Eigen::VectorXd::Zero(model.nv);
   ASSERT_EQ(plant->reset(robot.reference_configuration(), zero), Status::Ok);
-  RigidBody body(model);
   // Without torque, the robot slumps and its feet drift apart.
   double steady = 0.0, slippery = 0.0;
   for (int i = 0; i < 60; ++i) {
-    ASSERT_EQ(plant->step(zero, Eigen::Vector3d::Zero()), Status::Ok);
-    ASSERT_EQ(body.update(plant->q(), plant->v()), Status::Ok);
-    const Eigen::Vector3d force_world =
-        body.placement(body.frame(foot)).linear() * plant->support_wrenches().col(0).head<3>();
-    const double friction_ratio = force_world.head<2>().norm() / force_world.z();
+    const Eigen::VectorXd q_before = plant->q();
+    ASSERT_EQ(plant->step(zero), Status::Ok);
+    const Eigen::Vector3d force = force_world(*plant, q_before, 1);
+    const double friction_ratio = force.head<2>().norm() / force.z();
     if (i > 10 && i < 39) steady = std::max(steady, friction_ratio);
     if (i >= 41) slippery = std::max(slippery, friction_ratio);
   }
@@ -111,28 +115,35 @@ TEST(SlipperyGround, FrameWithoutSupport_IsRefused) {
                         {"slippery ground", "fr_foot", "fl_foot"});
 }
 
-/// Measurements contain support wrenches only if the feet have sensors.
-TEST_P(Supports, FootSensors_AddSupportWrenches) {
-  struct Limp final : Controller {
-    explicit Limp(int nv) { command.tau = Eigen::VectorXd::Zero(nv); }
-    int nv() const override { return static_cast<int>(command.tau.size()); }
-    void reset() noexcept override {}
-    const Command& tick(const Measurement& measurement) noexcept override {
-      columns = measurement.support_wrenches.cols();
-      return command;
-    }
-    Command command;
-    Eigen::Index columns = -1;
-  };
+/// Measurements contain the wrenches of feet only if the feet have sensors.
+TEST_P(Supports, FootSensors_MeasureTheWrenchesOfFeet) {
   const Robot robot = load_robot(GetParam().robot);
-  const auto plant = make_mujoco_plant(robot.model, GetParam().scene(robot));
+  const auto& feet = GetParam().feet;
+  const auto count = static_cast<Eigen::Index>(feet.size());
+  const Eigen::VectorXd zero = Eigen::VectorXd::Zero(robot.model.nv);
   for (const bool has_sensors : {true, false}) {
-    Limp limp(robot.model.nv);
-    ClosedLoop loop(*plant, limp, {}, {.max_duration = 0.01, .support_sensors = has_sensors});
-    ASSERT_EQ(loop.reset(robot.reference_configuration(), limp.command.tau), Status::Ok);
-    ASSERT_EQ(loop.run(0.005), Status::Ok);
-    const auto feet = static_cast<Eigen::Index>(GetParam().feet.size());
-    EXPECT_EQ(limp.columns, has_sensors ? feet : 0);
+    SceneSpec scene = GetParam().scene(robot);
+    if (!has_sensors)
+      for (TouchSpec& touch : scene.touches)
+        if (touch.is_support) touch.sensor = WrenchSensor::None;
+    const auto plant = make_mujoco_plant(robot.model, scene);
+    for (const bool all : {true, false}) {
+      ConstantTorque limp = no_torque(robot.model);
+      if (!all) limp = ConstantTorque(zero, std::vector<std::string>(feet.begin(), feet.end()));
+      ClosedLoop loop(*plant, limp, {}, {.max_duration = 0.02});
+      ASSERT_EQ(loop.reset(robot.reference_configuration(), zero), Status::Ok);
+      ASSERT_EQ(loop.run(0.02), Status::Ok);
+      const Wrenches& measured = loop.measurement().wrenches;
+      ASSERT_EQ(measured.cols(), all ? 1 + count : count);
+      if (has_sensors) {
+        // The light point feet of the limp quadruped rebound from the ground.
+        const bool has_soles = GetParam().half_x > 0.0;
+        EXPECT_TRUE(!has_soles || measured.rightCols(count).norm() > 1.0);
+        EXPECT_TRUE(measured.rightCols(count).allFinite());
+      } else {
+        EXPECT_TRUE(measured.rightCols(count).array().isNaN().all());
+      }
+    }
   }
 }
 

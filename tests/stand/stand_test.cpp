@@ -150,7 +150,7 @@ TEST_F(Stand, UserDescription_StandsAndSways) {
   const Setting setting = make_setting(task);
   EXPECT_EQ(make_setting(task).q_start, setting.q_start) << "two searches give different postures";
   Eigen::Vector3d middle = Eigen::Vector3d::Zero();
-  for (const SupportSpec& foot : setting.scene.supports) middle += 0.25 * foot.point;
+  for (const TouchSpec& foot : setting.scene.supports()) middle += 0.25 * foot.surface.point;
   EXPECT_LT((setting.com - middle).head<2>().norm(), 2e-4);
   // The base is at 80 % of the length of straight legs.
   EXPECT_NEAR(setting.p_base.z() - middle.z(), 0.8 * 0.44, 0.03);
@@ -171,7 +171,7 @@ TEST(StandRobot, AnotherRobot_FindsFeetAndPostureWithNotes) {
   const Task auto_task = short_task(BURNISH_ROBOTS_DIR "/talos", {"standing.feet=auto"});
   const Setting found = make_setting(auto_task);
   EXPECT_EQ(found.standing.feet, (std::vector<std::string>{"left_sole_link", "right_sole_link"}));
-  EXPECT_NEAR(found.scene.supports.front().half_x, 0.105, 1e-9);
+  EXPECT_NEAR(found.scene.touches.front().half_x, 0.105, 1e-9);
   expect_words(notes_text(auto_task, found), {"feet: left_sole_link", "soles of 0.21 x 0.13 m"});
   EXPECT_EQ(auto_task.standing.feet, std::vector<std::string>{"auto"});
   EXPECT_NE(task_text(auto_task).find("  feet: auto\n"), std::string::npos);

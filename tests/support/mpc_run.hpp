@@ -8,6 +8,7 @@
 #include <memory>
 #include <optional>
 #include <string>
+#include <vector>
 
 #include "burnish/mpc/mpc.hpp"
 #include "burnish/report/metrics.hpp"
@@ -57,6 +58,7 @@ class Watched final : public Controller {
  public:
   explicit Watched(Controller& inner) : inner_(&inner) {}
   int nv() const override { return inner_->nv(); }
+  std::optional<std::vector<std::string>> touches() const override { return inner_->touches(); }
   void reset() noexcept override {
     inner_->reset();
     allocations = 0;
@@ -147,7 +149,7 @@ class MpcRun {
       spec.start = std::min(spec.start, time[row] + 0.1);
       spec.end = time[row] - 0.01;
     }
-    spec.normal_world = setting_.scene.surface.normal;
+    spec.normal_world = setting_.scene.tool().surface.normal;
     return measure(loop_->trace(), setting_.robot.model, spec);
   }
   double now() const { return plant_->time(); }

@@ -9,6 +9,7 @@
 #include "burnish/report/metrics.hpp"
 #include "burnish/sim/closed_loop.hpp"
 #include "burnish/tasks/pressing/impedance_controller.hpp"
+#include "support/plant_touch.hpp"
 #include "support/pressing_arm.hpp"
 
 namespace burnish::test {
@@ -85,16 +86,16 @@ class PolishingRun {
   template <class MakePlant>
   PolishingRun(const PolishingCase& test_case, MakePlant&& make_plant)
       : nominal_(right_arm(&q_, test_case.surface.posture)) {
-    SceneSpec scene;
-    scene.surface.friction = test_case.friction;
-    scene = scene_under_tip(nominal_, q_, test_case.surface.normal, scene, test_case.clearance);
+    const SceneSpec scene = plane_under_tip(nominal_, q_, test_case.surface.normal,
+                                            test_case.clearance, test_case.friction);
     plant_ = make_plant(plant_model(nominal_, test_case.disturbances),
                         plant_scene(scene, test_case.disturbances));
     CirclePath circle;
-    circle.center_world = scene.surface.point + scene.tip.radius * scene.surface.normal;
-    circle.normal_world = scene.surface.normal;
+    const TouchSpec& tip = scene.tool();
+    circle.center_world = tip.surface.point + tip.radius * tip.surface.normal;
+    circle.normal_world = tip.surface.normal;
     PressingPath path;
-    path.normal_world = scene.surface.normal;
+    path.normal_world = tip.surface.normal;
     path.task = [circle](double t) { return circle.at(t); };
     path.posture = q_;
     controller_ = test_case.make_controller(nominal_, path, test_case);
@@ -109,7 +110,7 @@ class PolishingRun {
   Metrics metrics(double start) const {
     MetricsSpec spec;
     spec.start = start;
-    spec.normal_world = plant_->scene().surface.normal;
+    spec.normal_world = plant_->scene().tool().surface.normal;
     return measure(loop_->trace(), nominal_, spec);
   }
   ClosedLoop& loop() { return *loop_; }

@@ -41,11 +41,11 @@ class StandingTrace {
     options.base = Base::FreeFlyer;
     model = build_model(tree, options);
     for (const char* frame : {"left", "right"}) {
-      SupportSpec support{.frame = frame, .friction = 0.8};
+      TouchSpec support{.frame = frame, .surface = {.friction = 0.8}, .is_support = true};
       support.half_x = radius > 0.0 ? 0.0 : 0.1;
       support.half_y = radius > 0.0 ? 0.0 : 0.05;
       support.radius = radius > 0.0 ? radius : 0.02;
-      support.point.z() = -radius;
+      support.surface.point.z() = -radius;
       supports.push_back(support);
     }
   }
@@ -55,7 +55,7 @@ class StandingTrace {
     std::vector<TraceColumn> columns{{"time", "s"}};
     for (int k = 0; k < model.nq; ++k) columns.push_back({"q_" + model.q_name(k), "-"});
     for (int k = 0; k < model.nv; ++k) columns.push_back({"v_" + model.v_name(k), "-"});
-    for (const SupportSpec& support : supports)
+    for (const TouchSpec& support : supports)
       for (const char* entry : {"fx", "fy", "fz", "mx", "my", "mz"})
         columns.push_back({"support_" + support.frame + "_" + entry, "N"});
     return columns;
@@ -71,14 +71,14 @@ class StandingTrace {
       set("time", 0.1 * row);
       set("q_" + model.q_name(2), 0.5);
       set("q_" + model.q_name(6), 1.0);
-      for (const SupportSpec& support : supports) set("support_" + support.frame + "_fz", 100.0);
+      for (const TouchSpec& support : supports) set("support_" + support.frame + "_fz", 100.0);
       if (change) change(row, set);
     }
     return trace;
   }
 
   Model model;
-  std::vector<SupportSpec> supports;
+  std::vector<TouchSpec> supports;
 };
 
 }  // namespace burnish::testing

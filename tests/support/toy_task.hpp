@@ -73,12 +73,12 @@ inline MpcSpec toy_spec(const std::shared_ptr<Toy>& toy = nullptr) {
   return spec;
 }
 
-/// Measurement at rest in the toy's first state, without a force.
+/// Measurement at rest in the toy's first state, with wrenches of zero at the controller's touches.
 inline Measurement toy_measurement(const MpcSpec& spec) {
   Measurement m;
   m.q = spec.problem.initial_state.head(spec.problem.model.nq);
   m.v = m.tau = Eigen::VectorXd::Zero(spec.problem.model.nv);
-  m.tool_wrench.setZero();
+  m.wrenches.setZero(6, static_cast<Eigen::Index>(touches_of(spec).size()));
   return m;
 }
 

@@ -133,7 +133,7 @@ TEST(Home, StraightPathThroughTheSurface_GoesOverALiftedStart) {
   const double lift =
       (frame_placement(setting.robot.model, setting.home->corners[1], "tool").translation() -
        frame_placement(setting.robot.model, setting.q_start, "tool").translation())
-          .dot(setting.scene.surface.normal);
+          .dot(setting.scene.tool().surface.normal);
   EXPECT_GE(lift, 0.049);
   EXPECT_TRUE(check_home(task, setting).ok()) << check_home(task, setting).text;
 }

@@ -53,7 +53,7 @@ TEST(Reach, NamedSurfaces_KeepClearOfTheArm) {
   const ReachReport table = reach_of(endless);
   const Setting setting = make_setting(endless);
   EXPECT_EQ(table.tightest_clearance, "torso_2_joint");
-  EXPECT_NEAR(table.clearance, 1.0922 - setting.scene.surface.point.z() - 0.03, 1e-4);
+  EXPECT_NEAR(table.clearance, 1.0922 - setting.scene.tool().surface.point.z() - 0.03, 1e-4);
 }
 
 TEST(Reach, ArmTouchingTheSurface_IsRefusedWithJointAndDepth) {
@@ -97,7 +97,7 @@ TEST(Reach, ArmBesideTheSurface_IsAllowed) {
   const Setting setting = make_setting(task);
   const ReachReport beside = check_reach(task, setting);
   EXPECT_TRUE(beside.ok()) << beside.text;
-  EXPECT_NEAR(setting.scene.surface.extent, 0.14, 1e-12);
+  EXPECT_NEAR(setting.scene.tool().surface.extent, 0.14, 1e-12);
   // An infinite plate would pass through the shoulder.
   task.extent = std::numeric_limits<double>::infinity();
   const ReachReport through = check_reach(task, make_setting(task, setting.robot, setting.q_start));
@@ -114,8 +114,9 @@ TEST(Reach, LinkInsideTheMaterial_IsRefused) {
         frame_placement(setting.robot.model, setting.q_start, joint).translation());
   };
   const Eigen::Vector3d middle = 0.5 * (origin("joint_4") + origin("joint_5"));
-  setting.scene.surface.extent = 0.01;
-  setting.scene.surface.point = middle + 0.01 * setting.scene.surface.normal;
+  SurfaceSpec& column = setting.scene.tool().surface;
+  column.extent = 0.01;
+  column.point = middle + 0.01 * column.normal;
   const ReachReport report = check_reach(task, setting);
   ASSERT_EQ(report.problem, ReachProblem::Collision);
   EXPECT_LT(report.value, 0.0);

@@ -54,12 +54,13 @@ TEST(RestingHandScene, Plane_IsIndentedByTheForceAtTheStart) {
   polishing::Task task = resting_task();
   task.rest.normal_world = {-0.2, 0.0, 2.0};
   const polishing::Setting setting = polishing::make_setting(task);
-  ASSERT_EQ(setting.scene.supports.size(), 3U);
-  const SupportSpec& hand = setting.scene.supports.back();
+  ASSERT_EQ(setting.scene.supports().size(), 3U);
+  const TouchSpec& hand = setting.scene.touch(task.rest.frame);
   const Eigen::Vector3d n = task.rest.normal_world.normalized();
   const Eigen::Vector3d p =
       frame_placement(setting.robot.model, setting.q_start, hand.frame).translation();
-  EXPECT_NEAR(hand.stiffness * (hand.radius - (p - hand.point).dot(n)), task.rest.force, 1e-6);
+  EXPECT_NEAR(hand.surface.stiffness * (hand.radius - (p - hand.surface.point).dot(n)),
+              task.rest.force, 1e-6);
   EXPECT_EQ(polishing::feet_in(task, setting.scene).size(), 2U);
 }
 
@@ -90,7 +91,7 @@ TEST(RestingHandPlans, NoHand_LeavesFeetOnly) {
   polishing::Task task = resting_task();
   task.rest.frame = {};
   const polishing::Setting setting = polishing::make_setting(task);
-  EXPECT_EQ(setting.scene.supports.size(), 2U);
+  EXPECT_EQ(setting.scene.supports().size(), 2U);
   EXPECT_EQ(polishing::make_mpc(task, setting).supports.size(), 2U);
 }
 
@@ -112,7 +113,7 @@ TEST_F(RestingHand, MismatchedModel_HoldsBothForces) {
 TEST_F(RestingHand, SensorWithoutForce_ReportsTheLostContactOfTheHand) {
   MpcCase wanted = resting_case();
   wanted.spoil = [](Measurement& m) {
-    if (m.time > 0.4) m.support_wrenches.col(2).setZero();
+    if (m.time > 0.4) m.wrenches.col(3).setZero();
   };
   MpcRun run(wanted);
   ASSERT_LE(run.run(0.7), Status::NotConverged);

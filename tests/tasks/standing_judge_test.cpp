@@ -129,27 +129,19 @@ class Balance {
     total_.tail<3>() += at.linear() * wrench.tail<3>() + at.translation().cross(f_world);
     power_ += wrench.dot(body_.velocity(frame, Reference::local()));
   }
-  void add_at(int frame, const Eigen::Vector3d& p_world, const Eigen::Vector3d& f_world) {
-    const Eigen::Isometry3d at = body_.placement(frame);
-    Vector6 wrench;
-    wrench.head<3>() = at.linear().transpose() * f_world;
-    wrench.tail<3>() = at.linear().transpose() * (p_world - at.translation()).cross(f_world);
-    add(frame, wrench);
-  }
   void add_external_forces(double now) {
     const Plant& plant = run_.plant();
     const SceneSpec& scene = plant.scene();
     total_.setZero();
     power_ = 0.0;
-    for (std::size_t i = 0; i < scene.supports.size(); ++i)
-      add(body_.frame(scene.supports[i].frame),
-          plant.support_wrenches().col(static_cast<Eigen::Index>(i)));
-    const int tip = body_.frame(scene.tip.frame);
-    add_at(tip, body_.placement(tip).translation() - scene.tip.radius * scene.surface.normal,
-           plant.contact_force_world());
+    for (std::size_t i = 0; i < scene.touches.size(); ++i)
+      add(body_.frame(scene.touches[i].frame), plant.wrenches().col(static_cast<Eigen::Index>(i)));
     for (const Push& push : pushes_) {
+      if (!acts_at(push, now)) continue;
       const int at = body_.frame(push.frame);
-      if (acts_at(push, now)) add_at(at, body_.placement(at).translation(), push.force_world);
+      Vector6 wrench = Vector6::Zero();
+      wrench.head<3>() = body_.placement(at).linear().transpose() * push.force_world;
+      add(at, wrench);
     }
   }
 
@@ -193,7 +185,7 @@ void expect_balance(const MpcCase& wanted) {
   }
   ASSERT_EQ(run.mpc().fault().kind, FaultKind::None) << run.mpc().fault().text();
   const StandingFigures figures =
-      measure_standing(run.loop().trace(), run.plant().model(), run.plant().scene().supports);
+      measure_standing(run.loop().trace(), run.plant().model(), run.plant().scene().supports());
   const double residual = balance.change - balance.motors - balance.friction - balance.contacts;
   std::printf(
       "rate of momentum minus wrenches: %.3f N rms, %.3f N at most; %.3f Nm rms, %.3f Nm at most\n"

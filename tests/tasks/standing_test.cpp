@@ -91,7 +91,7 @@ TEST_F(Standing, BaseEstimateLost_StopsOnItsFeet) {
 TEST_F(Standing, BadMeasurement_StaysOnItsFeet) {
   MpcCase wanted = standing_case();
   wanted.spoil = [](Measurement& m) {
-    if (m.time > 1.6) m.tool_wrench[0] = std::nan("");
+    if (m.time > 1.6) m.wrenches(0, 0) = std::nan("");
   };
   MpcRun run(wanted);
   ASSERT_LE(run.run(3.5), Status::NotConverged);

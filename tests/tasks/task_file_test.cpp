@@ -131,9 +131,9 @@ TEST_F(TaskFile, NamedSurfaces_MatchThePosturesOfTheRobot) {
   for (const NamedSurface& surface : named_surfaces()) {
     const Task task = read_task(write("surface: " + surface.name + "\n"));
     const Setting setting = make_setting(task);
-    EXPECT_EQ(setting.scene.surface.normal, surface.normal_world.normalized());
+    EXPECT_EQ(setting.scene.tool().surface.normal, surface.normal_world.normalized());
     EXPECT_EQ(setting.q_start, setting.robot.posture(surface.posture)) << surface.name;
-    EXPECT_NEAR(gap(setting.scene, setting.p_start), task.clearance, 1e-12);
+    EXPECT_NEAR(gap(setting.scene.tool(), setting.p_start), task.clearance, 1e-12);
   }
 }
 

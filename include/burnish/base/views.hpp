@@ -18,6 +18,8 @@ namespace burnish {
 
 /// A motion (velocity or acceleration) or a wrench, linear part first.
 using Vector6 = Eigen::Matrix<double, 6, 1>;
+/// Wrenches, one per column: force [N], then moment [Nm].
+using Wrenches = Eigen::Matrix<double, 6, Eigen::Dynamic>;
 
 using ConstVectorRef = Eigen::Ref<const Eigen::VectorXd>;
 using RowMatrix = Eigen::Matrix<double, Eigen::Dynamic, Eigen::Dynamic, Eigen::RowMajor>;

@@ -3,7 +3,9 @@
 #pragma once
 
 #include <memory>
+#include <string>
 #include <string_view>
+#include <vector>
 
 #include "burnish/estimate/base_estimator.hpp"
 #include "burnish/estimate/foot_contacts.hpp"
@@ -15,23 +17,25 @@ namespace burnish {
 /// Estimates the floating base of a robot on its feet. In the measurements that the controller
 /// receives, the estimate replaces the base's entries of q and v.
 ///
-/// Measurement::support_wrenches shows which feet are on the ground. If a measurement has no
-/// wrenches, FootForces computes the forces on the feet from the joint torques. The first columns
-/// of support_wrenches must belong to the feet, in the order of BaseEstimatorOptions::feet. Columns
-/// of other supports may follow.
+/// Measurement::wrenches shows which feet are on the ground. If a foot has no column or a force
+/// that is NaN, FootForces computes the forces on all feet from the joint torques.
 ///
 /// GuardedBase estimates the base with a BaseEstimator. While the inertial measurement unit is
 /// silent or wrong, the base is estimated from the feet alone. update() does not throw, and
-/// allocates only when columns of other supports first appear.
+/// does not allocate.
 ///
 /// Set each payload of the controller here, too; ClosedLoop::set_payload() does both. While the
 /// payload masses of controller and estimator differ, the controller reports NotPhysical in
 /// Command::status and holds the robot.
 class EstimatedBase {
  public:
-  /// Throws Error in the same cases as the constructors of BaseEstimator and FootContacts.
+  /// `touches`: frames of the columns of Measurement::wrenches, as Controller::touches() returns
+  /// them. By default, the columns are the feet in the order of BaseEstimatorOptions::feet.
+  /// Measurements without columns are valid, too. Throws Error in the same cases as the
+  /// constructors of BaseEstimator and FootContacts.
   EstimatedBase(const Model& model, const BaseEstimatorOptions& estimator,
-                const FootContactOptions& contacts = {});
+                const FootContactOptions& contacts = {},
+                const std::vector<std::string>& touches = {});
   ~EstimatedBase();
   EstimatedBase(EstimatedBase&&) noexcept;
   EstimatedBase& operator=(EstimatedBase&&) noexcept;
@@ -52,9 +56,10 @@ class EstimatedBase {
   /// base stays unchanged and status() returns the reason.
   const Measurement& update(const Measurement& measured) noexcept;
 
-  /// Returns the status of the last update(). WrongSize: a vector has the wrong size, there are
-  /// fewer support wrenches than feet, or the inertial measurement unit is silent for a short time.
-  /// NotFinite: an entry is not finite, or the time does not increase.
+  /// Returns the status of the last update(). WrongSize: a vector has the wrong size, the
+  /// number of columns of the wrenches differs from that of touches, or the inertial measurement
+  /// unit is silent for a short time. NotFinite: an entry is not finite, or the time does not
+  /// increase.
   Status status() const;
   const GuardedBase& base() const;
   /// Returns the filter that uses the inertial measurement unit. The filter is not updated while

@@ -20,20 +20,23 @@ struct Measurement {
   /// Measured velocity, nv entries
   Eigen::VectorXd v;
   /// Reading of the inertial measurement unit; empty if the robot has none
-  /// @after tool_wrench
+  /// @after wrenches
   std::optional<ImuReading> imu = {};
   /// Joint torques measured between motor and link, nv entries [Nm (N)]
   Eigen::VectorXd tau;
-  /// Measured wrench of the surface on the tool: force (N), then moment (Nm)
-  /// @more Moments are about the origin of the tool's frame. Force and moment are in the axes of
-  /// this frame and exclude the weight of the tool. Components that no sensor measures are NaN.
-  /// Controllers use only the force
-  Vector6 tool_wrench = Vector6::Constant(std::numeric_limits<double>::quiet_NaN());
-  /// Measured wrench of the ground on each support, one column per support: force (N), then moment
-  /// (Nm)
-  /// @more Moments are about the origin of the support's frame. Force and moment are in the axes of
-  /// this frame. Empty if wrenches are not measured
-  Eigen::Matrix<double, 6, Eigen::Dynamic> support_wrenches = {};
+  /// Measured wrenches by surfaces on the robot, one column per entry of Controller.touches: force
+  /// (N), then moment (Nm)
+  /// @more Moments are about the origin of the touch's frame. Force and moment are in the axes of
+  /// this frame and exclude the weight of the tool or foot. Components that no sensor measures are
+  /// NaN
+  Wrenches wrenches = {};
+  /// Returns the force in a column of `wrenches`, in the axes of the touch's frame [N]; NaN if
+  /// there is no such column.
+  Eigen::Vector3d force_at(Eigen::Index column) const noexcept {
+    if (column < 0 || column >= wrenches.cols())
+      return Eigen::Vector3d::Constant(std::numeric_limits<double>::quiet_NaN());
+    return wrenches.col(column).head<3>();
+  }
   /// Time since the last position estimate of a floating base [s]
   /// @more The value 0 means that the estimate is current. While the value is positive, the
   /// floating base's entries of q and v are outdated

@@ -141,9 +141,8 @@ class TorqueErrorObserver {
                 const Eigen::Vector3d& force_world, double dt) noexcept {
     return update(q, v, tau, force_world, dt, Wrenches(6, 0));
   }
-  /// Wrenches at the frames `measured` that were passed to the constructor, one column per frame. A
-  /// column has the format of Measurement::support_wrenches.
-  using Wrenches = Eigen::Matrix<double, 6, Eigen::Dynamic>;
+  /// `supports`: measured wrenches, as in Measurement::wrenches, one column per entry of the
+  /// constructor's `measured`, or no columns. NaN is not allowed.
   Status update(const ConstVectorRef& q, const ConstVectorRef& v, const ConstVectorRef& tau,
                 const Eigen::Vector3d& force_world, double dt, const Wrenches& supports) noexcept;
   /// Sets the payload that the robot carries at `frame`. Returns and throws as

@@ -2,7 +2,10 @@
 #pragma once
 
 #include <Eigen/Core>
+#include <optional>
+#include <string>
 #include <string_view>
+#include <vector>
 
 #include "burnish/base/status.hpp"
 #include "burnish/base/views.hpp"
@@ -57,6 +60,10 @@ class Controller {
  public:
   virtual ~Controller() = default;
   virtual int nv() const = 0;
+  /// Returns the frames of the touches whose wrenches the controller reads, in the order of the
+  /// columns of Measurement::wrenches. Without a value, the columns are all touches of the plant's
+  /// scene.
+  virtual std::optional<std::vector<std::string>> touches() const { return std::nullopt; }
   /// Forgets all previous ticks.
   virtual void reset() noexcept = 0;
   /// Returns the command for a measurement; the reference is valid until the next call. After a

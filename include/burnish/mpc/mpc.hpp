@@ -67,6 +67,8 @@ class MpcController final : public Controller {
   ~MpcController() override;
 
   int nv() const override;
+  /// Returns touches_of() the specification.
+  std::optional<std::vector<std::string>> touches() const override;
   void reset() noexcept override;
   const Command& tick(const Measurement& measurement) noexcept override;
 

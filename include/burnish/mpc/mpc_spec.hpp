@@ -113,7 +113,8 @@ struct MpcSpec {
   std::vector<SchedulePhase> schedule = {};
   /// Function that creates the task, which defines events and monitored quantities; none: no task
   MakeTask task = {};
-  /// Frame of Measurement::tool_wrench; empty: the robot has no tool
+  /// Frame of the tool; empty: the robot has no tool
+  /// @more The wrench on the tool is the first column of Measurement.wrenches
   std::string tool = "tool";
   /// Robot frame that carries the surface, such as a hand that holds a plate; empty: the world
   /// @more The reaction to the force on the tool acts on this frame
@@ -130,12 +131,15 @@ struct MpcSpec {
   /// robot with a floating base needs at least one such support. Supports that are in contact only
   /// in some stages, such as hands on a wall, require support_sensors
   std::vector<std::string> supports = {};
-  /// Whether Measurement.support_wrenches is measured, with one column per entry of `supports`
-  /// @more Torque errors are then estimated in all joints, including the joints of supporting legs
+  /// Whether Measurement.wrenches has a column for each entry of `supports`, after that of the tool
+  /// @more All supports then need a sensor of force and moment: a NaN in one of these columns makes
+  /// the measurement invalid. Torque errors are estimated in all joints, including the joints of
+  /// supporting legs
   bool support_sensors = false;
-  /// Whether the force of Measurement.tool_wrench is measured; if false, the force is estimated
-  /// @more The force is estimated from the change of the torque error at contact. The estimate uses
-  /// torques, positions and velocities, and requires that model_error.kind is `torque`
+  /// Whether the force on the tool is measured; if false, it is estimated
+  /// @more If false, the column of the tool is not read. The force is estimated from the change of
+  /// the torque error at contact. The estimate uses torques, positions and velocities, and requires
+  /// that model_error.kind is `torque`
   bool force_sensor = true;
   /// Time between ticks [s]
   double tick_period = 5e-4;
@@ -187,5 +191,10 @@ struct MpcSpec {
   /// Apply the Riccati feedback policy between solves; if false, the planned torque is held
   bool feedback = true;
 };
+
+/// Returns the frames of the columns of Measurement::wrenches: first the tool, unless `tool` is
+/// empty. If `support_sensors` is true, the tool frames of the contacts in `supports` follow, in
+/// the order of `supports`. In a simulation, each frame must be a touch of the scene.
+std::vector<std::string> touches_of(const MpcSpec& spec);
 
 }  // namespace burnish

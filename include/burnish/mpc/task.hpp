@@ -101,6 +101,9 @@ struct TaskView {
   /// Force of the surface on the tool, measured or estimated, in world axes [N]; zero without a
   /// tool
   const Eigen::Vector3d& tool_force_world;
+  /// Measured wrenches on MpcSpec::supports in their order, as in Measurement::wrenches, 6 x
+  /// supports; no columns if MpcSpec::support_sensors is false
+  const Wrenches& support_wrenches;
 };
 
 /// Quantity that a task monitors. A value beyond its limit is a fault.

@@ -2,6 +2,9 @@
 // if MuJoCo was found when the library was built (target burnish::mujoco). Torques act without
 // delay.
 //
+// MuJoCo's own contact always computes the forces on supports, such as feet. The option `contact`
+// selects how the forces on tools are computed.
+//
 // MujocoContact::Exact supports every shape. A spring K [N/m] and a damper D [Ns/m] act on the
 // depth of the tool's tip below the exact surface. Coulomb friction acts along the surface. Normal
 // force and friction force are computed implicitly, from the state at the end of the step.
@@ -21,7 +24,7 @@
 
 namespace burnish {
 
-/// Contact model of the tool's tip in a MuJoCo plant.
+/// Contact model of tools in a MuJoCo plant.
 /// @described sim
 enum class MujocoContact {
   Exact,   ///< Spring, damper and Coulomb friction on the exact surface
@@ -45,7 +48,8 @@ struct MujocoPlantOptions {
 };
 
 /// Creates a plant that simulates the robot and the scene with MuJoCo. Throws Error if
-///  - checked_scene() rejects the scene;
+///  - checked_scene() rejects the scene, or it has more than 31 touches;
+///  - `contact` is Engine and MuJoCo cannot simulate the surface of a tool;
 ///  - an option is out of range;
 ///  - a joint of the robot moves no mass;
 ///  - MuJoCo rejects the model; the Error then contains MuJoCo's message.

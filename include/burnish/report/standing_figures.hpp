@@ -41,7 +41,7 @@ struct StandingFigures {
 /// - if the trace has no rows, or no valid state in its first row,
 /// - if `supports` is empty or does not fit the model.
 StandingFigures measure_standing(const Trace& trace, const Model& model,
-                                 const std::vector<SupportSpec>& supports);
+                                 const std::vector<TouchSpec>& supports);
 
 /// Returns whether the robot fell: the base tilted by more than 30 degrees, or the centre of mass
 /// moved by more than 0.25 m. After such a displacement, the feet cannot support the centre of

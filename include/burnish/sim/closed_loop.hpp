@@ -27,21 +27,20 @@ struct ClosedLoopOptions {
   /// Frame of the inertial measurement unit (empty: the robot's first body; none: no unit)
   /// @more The controller receives the readings of the inertial measurement unit
   std::optional<std::string> imu_frame = {};
-  /// Whether the controller receives the measured wrenches on the scene's supports
-  /// @note The wrenches are in Measurement::support_wrenches
-  bool support_sensors = true;
 };
 
-/// Runs a controller and a plant in closed loop. The plant advances in its own time steps. The
-/// controller ticks at the start of every control period, and its torque command is held until the
-/// next tick.
+/// Runs a controller and a plant in closed loop. The controller receives the measured wrenches on
+/// its Controller::touches(), which must be touches of the plant's scene. The plant advances in its
+/// own time steps. The controller ticks at the start of every control period, and its torque
+/// command is held until the next tick.
 ///
 /// A row of the trace describes one plant step. Time, state, tool, measurement and command are
 /// values at the start of the step. Forces and torques are values during the step.
 ///
 /// Columns of the trace, where `<joint>` is a name from Model::v_name (from Model::q_name for q).
-/// If the robot has no tool, the columns of the tool and of its forces, normals, friction and
-/// contact are missing:
+/// Columns of the tool are those of the first touch of the scene that is not a support. Without
+/// such a touch, the columns of the tool and of its forces, normals, friction and contact are
+/// missing:
 ///     time [s], phase [-], status [-]              phase and status of the Command
 ///     tool_x|y|z_world [m]                         true position of the tip's frame
 ///     tool_rx|ry|rz_start [rad]                    rotation of the tip's frame since reset(), as a
@@ -50,7 +49,7 @@ struct ClosedLoopOptions {
 ///                                                  carries the surface
 ///     target_x|y|z_world [m], target_force [N]     targets of the controller
 ///     measured_force_x|y|z_world [N]               reading of the tool's force sensor, rotated
-///                                                  to world axes
+///                                                  to world axes; NaN if not read
 ///     estimated_force_x|y|z_world [N]              controller's estimate of the force on the tool
 ///     push_x|y|z_world [N]                         sum of the pushes on all frames
 ///     q_<joint>, v_<joint>                         true state
@@ -79,11 +78,16 @@ struct ClosedLoopOptions {
 ///     support_<frame>_fx|fy|fz [N], support_<frame>_mx|my|mz [Nm]
 ///                                                  wrench on each support of the scene, in the
 ///                                                  axes of the support's frame
+/// Each further touch that is not a support has columns that begin with tool_<frame>_, followed by
+/// x|y|z_world, rx|ry|rz_start, force_x|y|z_world, measured_force_x|y|z_world,
+/// surface_normal_x|y|z_world, in_contact and, for a surface that the robot carries,
+/// surface_x|y|z_world and surface_rx|ry|rz_world.
 class ClosedLoop {
  public:
   /// Connects a plant and a controller, which must both outlive the loop. Throws Error
   /// - if the control period is not a multiple of the plant's step,
   /// - if controller and plant have different numbers of torques,
+  /// - if the controller reads the wrench on a touch that the plant's scene lacks,
   /// - if an option is out of range or a disturbance is invalid.
   ///
   /// The constructor does not apply the disturbances of model and scene. To apply them, create the

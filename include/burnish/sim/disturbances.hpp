@@ -23,7 +23,7 @@ struct Push {
   double duration = 0.0;
   /// Force in world axes, at the frame's origin [N] @key force
   Eigen::Vector3d force_world = Eigen::Vector3d::Zero();
-  /// Frame that the force acts on (`tip` or empty: the frame of the tip)
+  /// Frame that the force acts on (`tip` or empty: the frame of the first tool)
   /// @more If the robot has no tool, ClosedLoop refuses an empty frame, and tasks use the floating
   /// base instead.
   /// @word tip
@@ -157,16 +157,17 @@ struct Disturbances {
   bool finite_difference_velocity = false;
   /// Cut-off of the low-pass filter on finite-difference velocities (0: no filter) [rad/s], >= 0
   double velocity_cutoff = 0.0;
-  /// Standard deviation of the noise of the tool's force sensor, per axis of the tool's frame [N],
-  /// >= 0
+  /// Standard deviation of the noise of sensors that measure only the force, per axis [N], >= 0
+  /// @more Unless a scene states other sensors, these are the sensors of tools. The axes are those
+  /// of the touch's frame
   double force_noise = 0.0;
   /// Cut-off of the low-pass filter on measured forces and moments (0: no filter) [rad/s], >= 0
   /// @more Noise is added before the filter
   double force_cutoff = 0.0;
-  /// Standard deviation of the noise of forces measured at supports, per axis [N], >= 0
+  /// Standard deviation of the force noise of sensors of force and moment, per axis [N], >= 0
   /// @more The noise passes the low-pass filter with the cut-off force_cutoff
   double support_force_noise = 0.0;
-  /// Standard deviation of the noise of moments measured at supports, per axis [Nm], >= 0
+  /// Standard deviation of the moment noise of sensors of force and moment, per axis [Nm], >= 0
   /// @more The noise passes the low-pass filter with the cut-off force_cutoff
   double support_moment_noise = 0.0;
 
@@ -263,13 +264,13 @@ Payload carried_payload(const Disturbances& disturbances);
 /// check_disturbances()), and if the robot does not have the payload's frame.
 Model plant_model(const Model& nominal, const Disturbances& disturbances);
 
-/// Returns the plant's scene: `nominal` (the scene that the controller assumes) with the
-/// disturbances of surface and ground. Throws Error for a surface normal that is zero or not
-/// finite.
-SceneSpec plant_scene(const SceneSpec& nominal, const Disturbances& disturbances);
+/// Returns the surface that a tool touches in the plant: `nominal` with the disturbances of
+/// surfaces. Throws Error for a normal that is zero or not finite.
+SurfaceSpec plant_surface(const SurfaceSpec& nominal, const Disturbances& disturbances);
 
-/// Returns the sum of the forces of `pushes` on the tip at `time` [s], in world axes [N]. Pushes on
-/// other frames are not included.
-Eigen::Vector3d push_at(const std::vector<Push>& pushes, double time) noexcept;
+/// Returns the plant's scene: `nominal` (the scene that the controller assumes) with slippery
+/// ground, and with the surfaces of plant_surface() for all tools. Surfaces of supports do not
+/// change. Throws Error for a surface normal that is zero or not finite.
+SceneSpec plant_scene(const SceneSpec& nominal, const Disturbances& disturbances);
 
 }  // namespace burnish

@@ -1,5 +1,5 @@
-// Interface of simulated plants. The input is joint torques and a force on the tip; the output is
-// the robot's state and the contact forces. A plant does not depend on controllers.
+// Interface of simulated plants. The input is joint torques; the output is the robot's state and
+// the contact wrenches. A plant does not depend on controllers.
 #pragma once
 
 #include <Eigen/Core>
@@ -18,7 +18,7 @@ struct PlantSnapshot {
   Eigen::VectorXd numbers;
 };
 
-/// A robot and a surface, simulated with a fixed time step. reset() and step() allocate nothing and
+/// A robot and its scene, simulated with a fixed time step. reset() and step() allocate nothing and
 /// throw nothing. If reset() or step() returns a status more severe than NotConverged, the call has
 /// failed and the state is unchanged.
 ///
@@ -29,43 +29,31 @@ class Plant {
   virtual ~Plant() = default;
 
   virtual const Model& model() const = 0;
-  virtual const SceneSpec& scene() const = 0;  ///< Scene, with a surface normal of length one
+  virtual const SceneSpec& scene() const = 0;  ///< Scene, with normals of length one
   virtual double dt() const = 0;               ///< Time step [s]
 
   /// Sets the state to configuration q (nq) and velocity v (nv), at time zero and without contact
   /// force. Returns WrongSize, NotFinite or NotNormalized if (q, v) is not a valid state.
   [[nodiscard]] virtual Status reset(const ConstVectorRef& q, const ConstVectorRef& v) noexcept = 0;
 
-  /// Advances by dt(), with constant torques and a constant force on the tip. `tau` (nv entries)
-  /// are the torques [Nm or N]; the entries of a floating base are a wrench in the base's axes.
-  /// `push_world` is a force at the origin of the tip's frame, in world axes [N]. This force has no
-  /// effect if the robot has no tool.
-  ///
-  /// Returns WrongSize or NotFinite for an invalid `tau` or `push_world`, and NotFinite if the
-  /// resulting motion is not finite.
-  [[nodiscard]] virtual Status step(const ConstVectorRef& tau,
-                                    const Eigen::Vector3d& push_world) noexcept = 0;
+  /// Advances by dt(), with constant torques. `tau` (nv entries) are the torques [Nm or N]; the
+  /// entries of a floating base are a wrench in the base's axes. Returns WrongSize or NotFinite for
+  /// an invalid `tau`, and NotFinite if the resulting motion is not finite.
+  [[nodiscard]] virtual Status step(const ConstVectorRef& tau) noexcept = 0;
 
   virtual double time() const = 0;               ///< Time since reset() [s]
   virtual const Eigen::VectorXd& q() const = 0;  ///< Configuration, nq entries
   virtual const Eigen::VectorXd& v() const = 0;  ///< Velocity, nv entries
 
-  /// Returns the force of the surface on the tip during the last step, in world axes [N]. The
-  /// component along the surface's normal is never negative.
-  virtual const Eigen::Vector3d& contact_force_world() const = 0;
-  /// Returns whether the surface exerted a force on the tip during the last step.
-  virtual bool in_contact() const = 0;
+  /// Returns the wrenches on the touches of the scene during the last step, 6 x touches. Each
+  /// column is the force [N] and the moment [Nm] by the surface on the robot, about the origin of
+  /// the touch's frame and in the axes of this frame at the start of the step. Zero without
+  /// contact.
+  virtual const Wrenches& wrenches() const = 0;
   /// Returns the sum of friction, spring and tendon torques in the joints during the last step, nv
   /// entries [Nm or N]. Friction torques oppose the motion. Spring and tendon torques are computed
   /// at the start of the step.
   virtual const Eigen::VectorXd& friction_torque() const = 0;
-
-  /// Returns the wrench of the ground on each support of the scene during the last step, 6 x
-  /// supports. Each column is the force [N] and the moment [Nm] at the origin of the support's
-  /// frame, in the axes of this frame.
-  virtual const Eigen::Matrix<double, 6, Eigen::Dynamic>& support_wrenches() const {
-    return no_supports_;
-  }
 
   /// Saves the state in `snapshot`: all data on which future steps depend, and the forces of the
   /// last step. Allocates on first use.
@@ -78,9 +66,6 @@ class Plant {
   Plant() = default;
   Plant(const Plant&) = default;
   Plant& operator=(const Plant&) = default;
-
- private:
-  Eigen::Matrix<double, 6, Eigen::Dynamic> no_supports_;
 };
 
 }  // namespace burnish

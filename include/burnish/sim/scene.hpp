@@ -1,10 +1,11 @@
-// Scene of a simulation: a surface with its shape, position and orientation, the round tip of a
-// tool, and the planes that the robot stands on.
+// Scene of a simulation: the parts of the robot that can touch something, such as the round tip of
+// a tool or a foot, and the surface that each of them touches.
 #pragma once
 
 #include <Eigen/Geometry>
 #include <limits>
 #include <string>
+#include <string_view>
 #include <vector>
 
 #include "burnish/dynamics/surface_shape.hpp"
@@ -27,9 +28,9 @@ struct SurfaceMotion {
   double displacement(double time) const noexcept;
 };
 
-/// Surface that the tool touches: a plane, a curved surface, or a square part of a plane or curved
-/// surface. Points are relative to the origin of `frame`; points and vectors are in the axes of
-/// `frame`. Without a frame, world coordinates are used.
+/// Surface that a part of the robot touches: a plane, a curved surface, or a square part of a plane
+/// or curved surface. Points are relative to the origin of `frame`; points and vectors are in the
+/// axes of `frame`. Without a frame, world coordinates are used.
 /// @described sim
 struct SurfaceSpec {
   /// Frame of the robot that carries the surface (empty: the surface is fixed in the world)
@@ -60,43 +61,41 @@ struct SurfaceSpec {
   double half_size = 0.4;
 };
 
-/// Round tip of a tool: a sphere centred at the origin of a frame. The sphere touches a plane at
-/// one point, and the normal force passes through the frame's origin.
+/// Components of a wrench that a sensor measures.
 /// @described sim
-struct ToolTipSpec {
-  std::string frame = "tool";  ///< Frame at the sphere's centre (empty: the robot has no tool)
-  double radius = 0.02;        ///< Radius of the sphere [m], > 0
-
-  bool exists() const { return !frame.empty(); }
+enum class WrenchSensor {
+  Automatic,  ///< Force of a tool, force and moment of a support
+  None,       ///< No component
+  Force,      ///< Force, but no moment
+  Wrench,     ///< Force and moment
 };
 
-/// A part of the robot that stands on a plane or leans against it, such as a foot. Each support has
-/// its own plane. The plane can push on the support, but not pull. A support is either a sole
-/// (planar foot) or a ball (point foot).
+/// A touch: a part of the robot that can touch a surface, such as the tip of a tool, a hand or a
+/// foot. The frame names the touch. The part is either a sphere or a rectangle, and touches nothing
+/// but its own surface. The surface can push on the part, but not pull.
 ///
-/// A sole is a rectangle centred at the origin of `frame`, with sides along the frame's x and y
-/// axes. The frame's z axis points away from the plane. A ball is a sphere centred at the origin of
-/// `frame`.
+/// A sphere is centred at the origin of `frame`. It touches the surface at one point. The normal
+/// force passes through the origin, and friction has a moment about the origin. A rectangle (sole)
+/// is centred at the origin of `frame`, with sides along the x and y axes of `frame`. Its z axis
+/// points away from the surface. The rectangle stands on its four corners.
 /// @described sim
-struct SupportSpec {
-  /// Frame at the centre of the sole or ball
+struct TouchSpec {
+  /// Frame at the centre of the sphere or rectangle; names the touch
   std::string frame = {};
-  /// Half length of a sole along x (0: a ball) [m], >= 0
-  double half_x = 0.0;
-  /// Half length of a sole along y (0: a ball) [m], >= 0
-  double half_y = 0.0;
-  /// Radius of a ball [m], > 0
-  double radius = 0.02;
-  /// A point of the plane, in world coordinates [m]
-  Eigen::Vector3d point = Eigen::Vector3d::Zero();
-  /// Normal of the plane in world axes (out of the material, towards the robot), not zero
-  /// @more The normal may have any length
-  Eigen::Vector3d normal = Eigen::Vector3d::UnitZ();
-  double friction = 0.7;   ///< Coulomb friction coefficient, >= 0
-  double stiffness = 2e6;  ///< Contact stiffness of the whole sole or ball [N/m], > 0
-  double damping = 1e5;    ///< Contact damping of the whole sole or ball [Ns/m], > 0
+  double half_x = 0.0;       ///< Half length of a rectangle along x (0: a sphere) [m], >= 0
+  double half_y = 0.0;       ///< Half length of a rectangle along y (0: a sphere) [m], >= 0
+  double radius = 0.02;      ///< Radius of a sphere; not used for a rectangle [m], > 0
+  SurfaceSpec surface = {};  ///< Surface that the part touches
+  /// Whether the robot stands on this part or leans on it, as on a foot; otherwise it is a tool
+  /// @more A rectangle must be a support. The surface of a support must be a plane that is fixed in
+  /// the world and has an infinite `extent`
+  bool is_support = false;
+  /// Components that the robot measures (automatic: force of a tool, force and moment of a support)
+  WrenchSensor sensor = WrenchSensor::Automatic;
 
-  bool is_sole() const { return half_x > 0.0 && half_y > 0.0; }
+  bool is_rectangle() const { return half_x > 0.0 && half_y > 0.0; }
+  /// Returns `sensor`, or the components that Automatic stands for.
+  WrenchSensor measured() const;
 };
 
 /// Ground that is slippery for a limited time, under one support of the robot or under all
@@ -132,20 +131,26 @@ struct HoistSpec {
   double load_fraction(double time) const noexcept;
 };
 
-/// Scene of a simulation: the surface, the tool's tip, and what the robot stands on.
+/// Scene of a simulation: what the robot touches, and with which parts.
 /// @described sim
 struct SceneSpec {
-  /// Surface that the tool touches
-  /// @more Nothing touches the surface if the robot has no tool
-  SurfaceSpec surface = {};
-  ToolTipSpec tip = {};
-  /// Parts of the robot that stand on a plane, such as feet
-  std::vector<SupportSpec> supports = {};
+  /// Parts of the robot that can touch a surface, each with its own frame
+  std::vector<TouchSpec> touches = {};
   /// Slippery ground under supports
   std::vector<SlipperyGround> slippery_ground = {};
   /// Gantry that holds the robot at the start
   /// @more The gantry is simulated by ClosedLoop, not by the plant
   HoistSpec hoist = {};
+
+  /// Returns the index of the first touch that is not a support; -1 if there is none. This touch is
+  /// the tool in traces.
+  int tool_index() const noexcept;
+  /// Returns the touch at tool_index(). Throws Error if there is none.
+  const TouchSpec& tool() const;
+  TouchSpec& tool();
+  std::vector<TouchSpec> supports() const;  ///< Returns the touches that are supports.
+  /// Returns the touch whose frame is `frame`. Throws Error if there is none.
+  const TouchSpec& touch(std::string_view frame) const;
 };
 
 /// Returns whether `time` is between the start of an event and its end, all in s. The event starts
@@ -156,27 +161,29 @@ bool acts_at(const Spell& spell, double time) noexcept {
   return acts_at(spell.start, spell.duration, time);
 }
 /// Returns the Coulomb friction coefficient under a support at `time` [s]. While the ground under
-/// the support is slippery, this is the coefficient of the slippery ground, otherwise the
-/// coefficient of the support. Allocates nothing.
-double friction_under(const SceneSpec& scene, const SupportSpec& support, double time) noexcept;
+/// the support is slippery, this is the coefficient of the slippery ground, otherwise that of the
+/// support's surface. Allocates nothing.
+double friction_under(const SceneSpec& scene, const TouchSpec& support, double time) noexcept;
 
 /// Returns the scene with all normals scaled to length one. Throws Error for
 /// - a number that is not finite (unless infinity is permitted) or out of its range,
 /// - a zero normal,
-/// - an invalid shape, or a hollow shape into which the tip does not fit,
-/// - a frame (of tip, surface, support or gantry) that is unknown or fixed to the world,
-/// - a surface on the same body as the tip,
-/// - a support with only one of half_x and half_y above zero,
+/// - an invalid shape, or a hollow shape into which a sphere does not fit,
+/// - a frame (of a touch, surface or gantry) that is unknown or fixed to the world,
+/// - two touches with the same frame,
+/// - a surface on the same body as the part that touches it,
+/// - a touch with only one of half_x and half_y above zero, or a rectangle that is not a support,
+/// - a support whose surface is curved, moves, has edges or is carried by the robot,
 /// - slippery ground under a frame that is not a support.
 SceneSpec checked_scene(const Model& model, const SceneSpec& scene);
 
-/// Returns `scene` with its surface moved to the tip at the configuration q (nq). The surface's
-/// normal is set to `normal`, a vector of any length in the axes of the surface's frame.
-/// `clearance` is the distance from tip to surface along the normal [m]. Throws Error if
-/// checked_scene() rejects the scene, and for a scene without a tip.
-SceneSpec scene_under_tip(const Model& model, const Eigen::Ref<const Eigen::VectorXd>& q,
-                          const Eigen::Vector3d& normal, SceneSpec scene = {},
-                          double clearance = 0.0);
+/// Returns `touch` with its surface moved to the touch at the configuration q (nq). The surface's
+/// normal is set to `normal`, a vector of any length in the axes of the surface's frame. The
+/// surface's point is on the line through the origin of the touch's frame along `normal`.
+/// `clearance` is the distance from the sphere to that point [m]; for a rectangle, the distance
+/// from its centre. Throws Error if checked_scene() rejects the touch.
+TouchSpec with_surface_at(const Model& model, const Eigen::Ref<const Eigen::VectorXd>& q,
+                          const Eigen::Vector3d& normal, TouchSpec touch, double clearance = 0.0);
 
 /// Returns a Surface with the shape, point and normal of `surface`, in the axes of the surface's
 /// frame.
@@ -191,22 +198,23 @@ Eigen::Isometry3d surface_placement(const Model& model, const Eigen::Ref<const E
 /// is the world placement of the surface's frame.
 SurfaceSpec in_world(SurfaceSpec surface, const Eigen::Isometry3d& placement);
 
-/// Returns the distance from the tip to the surface [m]; negative if the tip is inside the
-/// material. `p_tip` is the position of the tip's frame, in the axes of the surface's frame. The
-/// surface normal of the scene must have length one.
-double gap(const SceneSpec& scene, const Eigen::Vector3d& p_tip);
-/// Returns the surface's normal at the tip, of length one. `p_tip` is the position of the tip's
-/// frame. Position and normal are in the axes of the surface's frame. Allocates nothing.
-Eigen::Vector3d normal_at(const SceneSpec& scene, const Eigen::Vector3d& p_tip);
+/// Returns the distance from the sphere of a touch to its surface [m]; negative if the sphere is
+/// inside the material. `p` is the origin of the touch's frame, in coordinates of the surface's
+/// frame. The surface normal must have length one.
+double gap(const TouchSpec& touch, const Eigen::Vector3d& p);
+/// Returns the normal of `surface` at its point nearest to `p`, of length one. `p` and the normal
+/// are in the axes of the surface's frame. Allocates nothing.
+Eigen::Vector3d normal_at(const SurfaceSpec& surface, const Eigen::Vector3d& p);
 
 /// Returns the coordinates of the point `p` relative to the centre of the surface's square [m]: x
 /// and y along the sides, z along the normal. `p` is in the axes of the surface's frame. The
 /// surface's normal must have length one. Allocates nothing.
 Eigen::Vector3d seen_from_surface(const SurfaceSpec& surface, const Eigen::Vector3d& p);
 
-/// Returns whether a tip at `p_tip` can touch the surface. If SurfaceSpec::extent is infinite,
-/// returns true. Otherwise, the tip's centre must be over the square. If `in_contact` is false, the
-/// tip's centre must also be outside the material. Allocates nothing.
-bool is_over(const SceneSpec& scene, const Eigen::Vector3d& p_tip, bool in_contact);
+/// Returns whether the sphere of a touch can touch its surface. `p` is the origin of the touch's
+/// frame, in coordinates of the surface's frame. If SurfaceSpec::extent is infinite, returns true.
+/// Otherwise, the sphere's centre must be over the square. If `in_contact` is false, the centre
+/// must also be outside the material. The surface normal must have length one. Allocates nothing.
+bool is_over(const TouchSpec& touch, const Eigen::Vector3d& p, bool in_contact);
 
 }  // namespace burnish

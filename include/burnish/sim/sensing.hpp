@@ -2,6 +2,7 @@
 #pragma once
 
 #include <memory>
+#include <string>
 #include <vector>
 
 #include "burnish/estimate/measurement.hpp"
@@ -11,18 +12,18 @@
 
 namespace burnish {
 
-class RigidBody;
 struct Tree;
 
 /// Simulates the sensors: noise, encoders, finite differences, low-pass filters and delay. Call
 /// measure() once per tick of the controller. After construction nothing is allocated or thrown.
 class Sensing {
  public:
-  /// Creates the sensors of a plant. `supports` is the number of supports with measured wrenches.
-  /// `period` is the time between measurements [s]. The measurement delay is rounded to a multiple
-  /// of `period`. Throws Error in the same cases as check_disturbances().
-  Sensing(const Model& model, const Disturbances& disturbances, int supports = 0,
-          double period = 1e-3);
+  /// Creates the sensors of a plant with scene `scene`. `touches`: frames of the columns of
+  /// Measurement::wrenches. `period` is the time between measurements [s]. The measurement delay is
+  /// rounded to a multiple of `period`. Throws Error in the same cases as check_disturbances(), and
+  /// for a frame without a touch in the scene.
+  Sensing(const Model& model, const Disturbances& disturbances, const SceneSpec& scene,
+          const std::vector<std::string>& touches, double period = 1e-3);
   ~Sensing();
 
   /// Adds readings of an inertial measurement unit to all later measurements. The unit is mounted
@@ -44,8 +45,7 @@ class Sensing {
   struct Random;
   void measure_position(const Plant& plant) noexcept;
   void measure_velocity(const Plant& plant) noexcept;
-  void measure_force(const Plant& plant) noexcept;
-  void measure_supports(const Plant& plant) noexcept;
+  void measure_wrenches(const Plant& plant) noexcept;
   const Measurement& delayed() noexcept;
 
   Disturbances disturbances_;
@@ -58,7 +58,12 @@ class Sensing {
   Eigen::VectorXd differences_;  ///< Filtered finite-difference velocities, nv entries
   Eigen::VectorXd work_;         ///< Scratch vector, nv entries
   std::optional<ImuSensor> imu_;
-  std::unique_ptr<RigidBody> body_;  ///< Kinematics at the true state.
+  /// Sensor of a wrench.
+  struct TouchSensor {
+    Eigen::Index touch;  ///< Index of the touch in the scene.
+    WrenchSensor components;
+  };
+  std::vector<TouchSensor> sensors_;  ///< One per column of Measurement::wrenches.
   Measurement measurement_;
   std::vector<Measurement> late_;  ///< Ring buffer of delayed measurements; empty without a delay
   std::size_t next_ = 0;           ///< Index of the oldest measurement in late_

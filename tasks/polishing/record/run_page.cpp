@@ -22,7 +22,7 @@ std::vector<std::pair<std::string, std::string>> facts_of(const PolishJob& job,
   std::vector<std::pair<std::string, std::string>> facts{
       {"task", job.place},
       {"robot", task.robot},
-      {"surface", "normal " + vector_text(result.setting.scene.surface.normal)},
+      {"surface", "normal " + vector_text(result.setting.scene.tool().surface.normal)},
       {"force", fmt::format("{:g} N", task.force)},
       {"path", fmt::format("{}, {:g} s", name_of(task.path.kind), task.polish_duration)},
       {"controller", name_of(job.spec.controller)}};
@@ -38,7 +38,7 @@ std::vector<std::pair<std::string, std::string>> facts_of(const PolishJob& job,
 
 void add_path(RunPage& page, const Task& task, const Setting& setting) {
   page.path_origin_world =
-      surface_placement(setting.robot.model, setting.q_start, setting.scene.surface) *
+      surface_placement(setting.robot.model, setting.q_start, setting.scene.tool().surface) *
       setting.p_center;
   const Path path(task.path);
   constexpr int max_points = 4000;
@@ -77,13 +77,12 @@ RunPage make_run_page(const PolishJob& job, const RunResult& result, int record_
     if (std::isfinite(task.limits.deadline)) page.solver->deadline_ms = 1e3 * task.limits.deadline;
   }
   // A surface that a frame carries is drawn at its initial placement.
-  SceneSpec scene = result.setting.scene;
-  if (!scene.surface.frame.empty())
-    scene.surface = in_world(
-        scene.surface,
-        surface_placement(result.setting.robot.model, result.setting.q_start, scene.surface));
-  pressing::add_run(page, result, scene, task.disturbances, record_every);
-  page.surface.frame = result.setting.scene.surface.frame;
+  const SceneSpec& scene = result.setting.scene;
+  const SurfaceSpec& surface = scene.tool().surface;
+  const SurfaceSpec drawn = in_world(
+      surface, surface_placement(result.setting.robot.model, result.setting.q_start, surface));
+  pressing::add_run(page, result, scene, drawn, task.disturbances, record_every);
+  page.surface.frame = surface.frame;
   return page;
 }
 

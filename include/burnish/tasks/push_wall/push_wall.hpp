@@ -223,7 +223,7 @@ std::vector<std::string> task_notes(const Task& task, bool ideal_is_meant = fals
 struct Setting {
   Robot robot;              ///< Robot of the task, with a floating base @required
   Eigen::VectorXd q_start;  ///< Configuration at the start, nq @required
-  /// Scene as the controller assumes it: feet and hands are supports, the wall is the surface
+  /// Scene as the controller assumes it: the feet are supports on the ground, the hands on the wall
   /// @more The feet come before the hands. The robot has no tool
   /// @required
   SceneSpec scene;

@@ -163,10 +163,12 @@ struct Setting {
   /// @after sway
   std::vector<std::string> notes = {};
   Eigen::VectorXd q_start;  ///< Configuration at the start, nq @required
-  /// Scene as the controller assumes it: the feet are supports, the ground is the surface
+  /// Scene as the controller assumes it: the feet are supports on the ground
   /// @more The robot has no tool
   /// @required
   SceneSpec scene;
+  /// Ground: a plane at the height of the lowest foot, in the middle of the feet
+  SurfaceSpec ground = {};
   std::string base;  ///< Name of a frame on the body of the floating base @required
   /// Axes of the sway in the world, as columns: forwards (as the base points at the start), left,
   /// up
