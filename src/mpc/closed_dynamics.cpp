@@ -19,11 +19,11 @@ bool is_held_always(const ProblemSpec& problem, const std::string& contact) {
 
 }  // namespace
 
-std::vector<ContactSpec> supports_of(const ProblemSpec& problem,
-                                     const std::vector<std::string>& supports) {
+std::vector<ContactSpec> supports_of(const MpcSpec& spec) {
   std::vector<ContactSpec> result;
-  for (const ContactSpec& contact : problem.contacts)
-    if (has(supports, contact.name) && is_held_always(problem, contact.name))
+  for (const ContactSpec& contact : spec.problem.contacts)
+    if (has(spec.supports, contact.name) && !has(spec.resting_supports, contact.name) &&
+        is_held_always(spec.problem, contact.name))
       result.push_back(contact);
   return result;
 }

@@ -4,14 +4,13 @@
 
 #include "burnish/derivatives/contact_dynamics.hpp"
 #include "burnish/model/model.hpp"
-#include "burnish/ocp/problem_spec.hpp"
+#include "burnish/mpc/mpc_spec.hpp"
 
 namespace burnish {
 
-/// Returns the contacts of those supports that are in contact in every stage, in the order of
-/// ProblemSpec::contacts. `supports`: names, as in MpcSpec::supports.
-std::vector<ContactSpec> supports_of(const ProblemSpec& problem,
-                                     const std::vector<std::string>& supports);
+/// Returns the contacts of those supports that carry the robot: they are in contact in every stage,
+/// and not in MpcSpec::resting_supports. They are in the order of ProblemSpec::contacts.
+std::vector<ContactSpec> supports_of(const MpcSpec& spec);
 
 /// Returns dynamics whose only contacts are `supports` and the loops of the robot. The gains of
 /// these contacts are zero, because gains would turn measurement noise into forces. A small

@@ -285,6 +285,11 @@ const Description& description_of(const MpcSpec* /*of*/) {
                 "stage. A robot with a floating base needs at least one such support. Supports "
                 "that are in contact only in some stages, such as hands on a wall, require "
                 "support_sensors")
+          .field("resting_supports", &S::resting_supports,
+                 "Entries of `supports` that rest with a planned force, such as a hand on a table")
+          .more("The fallback and the estimators do not use them, even if they are in contact in "
+                "every stage: the fallback would load a hand like a foot. They require "
+                "support_sensors")
           .field("support_sensors", &S::support_sensors,
                  "Whether Measurement.wrenches has a column for each entry of `supports`, after "
                  "that of the tool")

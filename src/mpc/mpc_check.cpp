@@ -71,6 +71,18 @@ void check_supports(const MpcSpec& spec) {
   }
 }
 
+/// Checks the resting supports: each must be a support with a measured wrench.
+void check_resting(const MpcSpec& spec) {
+  for (const std::string& resting : spec.resting_supports) {
+    if (std::find(spec.supports.begin(), spec.supports.end(), resting) == spec.supports.end())
+      throw Error("MPC: resting support " + in_quotes(resting) + " is not one of the supports" +
+                  did_you_mean(resting, spec.supports));
+    if (!spec.support_sensors)
+      throw Error("MPC: the force of resting support " + in_quotes(resting) +
+                  " is not measured; wanted support_sensors true");
+  }
+}
+
 void check_torque_limit(const MpcSpec& spec) {
   const Eigen::VectorXd& limit = spec.torque_limit;
   if (limit.size() == 0) return;
@@ -142,6 +154,7 @@ int checked_ticks_per_update(const MpcSpec& spec) {
                   "; wanted at least 1");
   check_torque_limit(spec);
   check_supports(spec);
+  check_resting(spec);
   if (!spec.force_sensor && spec.model_error.kind != ModelErrorKind::Torque)
     throw Error(
         "MPC: without a force sensor, the force is estimated from torques, and this requires an "

@@ -108,8 +108,8 @@ ErrorEstimateSpec error_estimate_spec(const MpcSpec& spec) {
                            .normal_world = spec.normal_base,
                            .contact_threshold = spec.contact_threshold,
                            .force_sensor = spec.force_sensor,
-                           .supports = supports_of(problem, spec.supports),
-                           .held = with_loops(problem.model, supports_of(problem, spec.supports)),
+                           .supports = supports_of(spec),
+                           .held = with_loops(problem.model, supports_of(spec)),
                            .measured = measured_frames(spec),
                            .contacts = stage_contacts(spec),
                            .friction = {},
@@ -125,7 +125,7 @@ ErrorEstimateSpec error_estimate_spec(const MpcSpec& spec) {
 
 std::vector<GripSpec> grip_specs(const MpcSpec& spec) {
   std::vector<GripSpec> result;
-  for (const ContactSpec& contact : supports_of(spec.problem, spec.supports)) {
+  for (const ContactSpec& contact : supports_of(spec)) {
     const GroundFigures figures = ground_figures(spec.problem, contact.name);
     result.push_back({.name = contact.name,
                       .frame = contact.tool,
@@ -162,7 +162,7 @@ HoldingSpec holding_spec(const MpcSpec& spec) {
                      .fallback = spec.fallback,
                      .tick_period = spec.tick_period,
                      .bad = spec.limits.bad,
-                     .supports = supports_of(spec.problem, spec.supports),
+                     .supports = supports_of(spec),
                      .sensors = {},
                      .soles = soles_of(spec)};
   for (const ContactSpec& contact : result.supports)

@@ -119,7 +119,7 @@ void add_error_inputs(MpcSpec& spec) {
 }
 
 void add_support_inputs(MpcSpec& spec) {
-  for (const ContactSpec& support : supports_of(spec.problem, spec.supports)) {
+  for (const ContactSpec& support : supports_of(spec)) {
     if (std::isinf(ground_figures(spec.problem, support.name).friction)) continue;
     const std::string name = friction_name_of(support.name);
     if (!add(spec.problem, {.name = name})) continue;
@@ -166,7 +166,7 @@ PlanInputs::PlanInputs(const MpcSpec& spec)
       friction_(find_input(spec.problem, friction_name, InputKind::Scalar)),
       force_error_(find_input(spec.problem, force_name, InputKind::Scalar)),
       torque_error_(find_input(spec.problem, spec.problem.torque_bias_input, InputKind::Vector)) {
-  const std::vector<ContactSpec> supports = supports_of(spec.problem, spec.supports);
+  const std::vector<ContactSpec> supports = supports_of(spec);
   cones_.resize(static_cast<Eigen::Index>(supports.size()));
   for (std::size_t i = 0; i < supports.size(); ++i) {
     cones_[static_cast<Eigen::Index>(i)] = ground_figures(spec.problem, supports[i].name).friction;

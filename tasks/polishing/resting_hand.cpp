@@ -152,19 +152,6 @@ class WatchedRest final : public MpcTask {
   Eigen::Isometry3d contact_ = Eigen::Isometry3d::Identity();  ///< Placement at the first tick.
 };
 
-/// Returns the stage without the contact of the hand, and without the cost and the constraint that
-/// keep_resting() adds.
-Stage lifted(const RestingHand& rest, Stage stage) {
-  const auto is_of_hand = [&](const auto& term) {
-    return term.name.ends_with(" of " + rest.frame);
-  };
-  stage.name = "lifted " + rest.frame;
-  std::erase(stage.contacts, rest.frame);
-  std::erase_if(stage.costs, is_of_hand);
-  std::erase_if(stage.constraints, is_of_hand);
-  return stage;
-}
-
 }  // namespace
 
 void check_rest(const Task& task, const Model& model) {
@@ -255,7 +242,7 @@ void keep_resting(const RestingHand& rest, Stage& stage) {
 void set_resting(const Task& task, MpcSpec& mpc) {
   if (!task.rest.is_stated()) return;
   mpc.supports.push_back(task.rest.frame);
-  mpc.problem.stages.push_back(lifted(task.rest, mpc.problem.stages.front()));
+  mpc.resting_supports = {task.rest.frame};
   mpc.task = [make = mpc.task, rest = task.rest,
               lost = task.tool_limits.contact_lost](const MpcSpec& spec) {
     return std::make_unique<WatchedRest>(make(spec), spec, rest, lost);

@@ -36,9 +36,6 @@ void keep_resting(const RestingHand& rest, Stage& stage);
 /// Adds the resting hand to the supports of a controller, and monitors its force and its slip. The
 /// stages and the task of the controller must be set before. Without a resting hand, `mpc` stays
 /// unchanged.
-///
-/// The fallback stands on the supports that are in contact in every stage. It would load the hand
-/// like a foot. Therefore, a stage that no phase uses is added, in which the hand has no contact.
 void set_resting(const Task& task, MpcSpec& mpc);
 
 /// Returns the statistics of the hand over the rows of a trace between `begin` and `end` [s].

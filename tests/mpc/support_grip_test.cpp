@@ -7,6 +7,7 @@
 #include "burnish/solver/ddp.hpp"
 #include "support/allocation_guard.hpp"
 #include "support/biped.hpp"
+#include "support/refusal.hpp"
 #include "support/special_numbers.hpp"
 #include "support/standing_problem.hpp"
 
@@ -133,6 +134,23 @@ TEST_F(SupportGrip, ToolBeforeTheFeet_DoesNotChangeTheFriction) {
   };
   EXPECT_LT(friction_of(false).maxCoeff(), 0.9 * cone) << "no slip: this test checks nothing";
   EXPECT_EQ(friction_of(true), friction_of(false));
+}
+
+TEST_F(SupportGrip, RestingSupport_CarriesNothing) {
+  MpcSpec spec = swaying(model, q);
+  const std::string left = spec.supports[0], right = spec.supports[1];
+  spec.resting_supports = {right};
+  make(spec);
+  step(0.0, 0.0);
+  EXPECT_EQ(mpc->support_friction().size(), 1) << "only the left foot carries the robot";
+  EXPECT_EQ(touches_of(spec).size(), 2U) << "the force of the right foot is measured";
+  spec.resting_supports = {"right_sol"};
+  testing::expect_words(testing::refusal([&] { MpcController controller(spec); }),
+                        {"resting support", "right_sol", "not one of the supports"});
+  spec.resting_supports = {left};
+  spec.support_sensors = false;
+  testing::expect_words(testing::refusal([&] { MpcController controller(spec); }),
+                        {left, "not measured", "support_sensors true"});
 }
 
 TEST_F(SupportGrip, SlippingFeet_LowerThePlannedFriction) {

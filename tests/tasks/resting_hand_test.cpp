@@ -78,13 +78,13 @@ TEST(RestingHandPlans, EveryPhase_HoldsTheHand) {
     EXPECT_TRUE(holds_hand(phase.stage)) << phase.name;
 }
 
-TEST(RestingHandPlans, LiftedStage_HasNoTermOfTheHand) {
+TEST(RestingHandPlans, Hand_RestsAndDoesNotCarryTheRobot) {
   const polishing::Task task = resting_task();
   const MpcSpec mpc = polishing::make_mpc(task, polishing::make_setting(task));
-  const Stage &lifted = mpc.problem.stages.back(), &held = mpc.problem.stages.front();
-  EXPECT_EQ(lifted.contacts, task.standing.feet);
-  EXPECT_EQ(lifted.costs.size() + 1, held.costs.size());
-  EXPECT_EQ(lifted.constraints.size() + 1, held.constraints.size());
+  EXPECT_EQ(mpc.supports.back(), task.rest.frame);
+  EXPECT_EQ(mpc.resting_supports, std::vector<std::string>{task.rest.frame});
+  for (const Stage& stage : mpc.problem.stages)
+    EXPECT_EQ(stage.contacts.back(), task.rest.frame) << stage.name;
 }
 
 TEST(RestingHandPlans, NoHand_LeavesFeetOnly) {
