@@ -136,13 +136,22 @@ void MeasurementGate::describe_wrenches(const Measurement& m) noexcept {
     std::snprintf(bad_, sizeof bad_,
                   "wrenches has %d columns; wanted %d, one per entry of the controller's touches",
                   static_cast<int>(m.wrenches.cols()), static_cast<int>(touches_));
-  } else if (sensor_ >= 0 && !m.wrenches.col(0).head<3>().allFinite()) {
+    return;
+  }
+  if (sensor_ >= 0 && !m.wrenches.col(0).head<3>().allFinite()) {
+    std::snprintf(bad_, sizeof bad_,
+                  "the force on the tool is not finite; wanted a sensor at the tool, force_sensor "
+                  "false, or an empty tool in the MpcSpec");
+    return;
+  }
+  for (Eigen::Index i = 0; i < supports_; ++i) {
+    if (m.wrenches.col(touches_ - supports_ + i).allFinite()) continue;
     std::snprintf(
         bad_, sizeof bad_,
-        "the force of wrenches at the tool is not finite; a robot without a tool needs an "
-        "empty tool in its MpcSpec");
-  } else {
-    (void)is_bad("the wrench of the support", m.wrenches.rightCols(supports_), support_names_);
+        "the wrench on support '%s' is not finite; wanted a sensor of force and moment, or "
+        "support_sensors false",
+        support_names_[to_size(i)].c_str());
+    return;
   }
 }
 

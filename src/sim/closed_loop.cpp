@@ -141,11 +141,15 @@ std::vector<std::string> measured_touches(const Controller& controller, const Sc
   std::vector<std::string> all;
   for (const TouchSpec& touch : scene.touches) all.push_back(touch.frame);
   std::vector<std::string> wanted = controller.touches().value_or(all);
-  for (const std::string& frame : wanted)
-    if (std::find(all.begin(), all.end(), frame) == all.end())
-      throw Error("the controller reads the wrench at " + in_quotes(frame) +
-                  ", which is not a touch of the plant's scene" +
-                  (all.empty() ? "; the scene has no touches" : did_you_mean(frame, all)));
+  for (const std::string& frame : wanted) {
+    if (std::find(all.begin(), all.end(), frame) != all.end()) continue;
+    const std::string hint = did_you_mean(frame, all);
+    throw Error("the controller reads the wrench at " + in_quotes(frame) +
+                ", which is not a touch of the plant's scene" +
+                (hint.empty() ? "; wanted a touch at this frame, or an empty MpcSpec.tool for a "
+                                "robot without a tool"
+                              : hint));
+  }
   return wanted;
 }
 
