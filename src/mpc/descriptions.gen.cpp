@@ -287,9 +287,8 @@ const Description& description_of(const MpcSpec* /*of*/) {
                 "support_sensors")
           .field("resting_supports", &S::resting_supports,
                  "Entries of `supports` that rest with a planned force, such as a hand on a table")
-          .more("The fallback and the estimators do not use them, even if they are in contact in "
-                "every stage: the fallback would load a hand like a foot. They require "
-                "support_sensors")
+          .more("The fallback does not stand on them, even if they are in contact in every stage:"
+                " it would load a hand like a foot. They require support_sensors")
           .field("support_sensors", &S::support_sensors,
                  "Whether Measurement.wrenches has a column for each entry of `supports`, after "
                  "that of the tool")

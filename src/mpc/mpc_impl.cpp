@@ -168,8 +168,7 @@ bool MpcController::Impl::has_settled() const noexcept {
   return gate.now() - began_ >= spec.settle - 0.01 * spec.tick_period;
 }
 
-/// Processes a valid measurement: updates estimates, clock and monitors, and starts a new plan if
-/// one is due.
+/// Processes a valid measurement: updates estimates, clock and monitors, and begins a due plan.
 void MpcController::Impl::process_measurement() noexcept {
   const TaskView view{.measurement = gate.last(),
                       .body = gate.body(),

@@ -132,8 +132,8 @@ struct MpcSpec {
   /// in some stages, such as hands on a wall, require support_sensors
   std::vector<std::string> supports = {};
   /// Entries of `supports` that rest with a planned force, such as a hand on a table
-  /// @more The fallback and the estimators do not use them, even if they are in contact in every
-  /// stage: the fallback would load a hand like a foot. They require support_sensors
+  /// @more The fallback does not stand on them, even if they are in contact in every stage: it
+  /// would load a hand like a foot. They require support_sensors
   std::vector<std::string> resting_supports = {};
   /// Whether Measurement.wrenches has a column for each entry of `supports`, after that of the tool
   /// @more All supports then need a sensor of force and moment: a NaN in one of these columns makes
