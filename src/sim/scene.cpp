@@ -3,7 +3,6 @@
 #include <algorithm>
 #include <cmath>
 #include <numbers>
-#include <utility>
 
 #include "base/sentence.hpp"
 #include "base/to_size.hpp"
@@ -91,6 +90,13 @@ void check_ground(const SceneSpec& scene, const SlipperyGround& ground) {
                 ", which is not a support of the scene" + did_you_mean(ground.frame, supports));
 }
 
+/// Returns the index of the first tool. Throws Error if the scene has no tool.
+int checked_tool_index(const SceneSpec& scene) {
+  const int index = scene.tool_index();
+  if (index < 0) throw Error("the scene has no tool; wanted a touch that is not a support");
+  return index;
+}
+
 }  // namespace
 
 WrenchSensor TouchSpec::measured() const {
@@ -104,13 +110,9 @@ int SceneSpec::tool_index() const noexcept {
   return -1;
 }
 
-const TouchSpec& SceneSpec::tool() const {
-  const int index = tool_index();
-  if (index < 0) throw Error("the scene has no tool; wanted a touch that is not a support");
-  return touches[to_size(index)];
-}
+const TouchSpec& SceneSpec::tool() const { return touches[to_size(checked_tool_index(*this))]; }
 
-TouchSpec& SceneSpec::tool() { return const_cast<TouchSpec&>(std::as_const(*this).tool()); }
+TouchSpec& SceneSpec::tool() { return touches[to_size(checked_tool_index(*this))]; }
 
 std::vector<TouchSpec> SceneSpec::supports() const {
   std::vector<TouchSpec> result;
