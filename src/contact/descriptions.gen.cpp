@@ -65,7 +65,7 @@ const Description& description_of(const ContactSpec* /*of*/) {
                   "Contact that constrains a tool frame relative to a base frame in some "
                   "directions: alpha + kd nu + kp e = 0. Here e, nu and alpha are the pose error,"
                   " velocity and acceleration of the tool relative to the base, written in the "
-                  "axes of the reference.")
+                  "axes of the contact's Reference.")
           .field("name", &S::name,
                  "Unique name (empty: the name of the tool frame)")
           .field("tool", &S::tool,
@@ -122,8 +122,7 @@ const Description& description_of(const ContactForce* /*of*/) {
           .field("base_position", &S::base_position,
                  "Position of the base frame in the world [{m}]")
           .field("frame_rotation", &S::frame_rotation,
-                 "Rotation matrix to world axes, from the frame in which the reference's axes are"
-                 " fixed")
+                 "Rotation matrix from the axes of the frame `reference.axes` to world axes")
           .field("frame_position", &S::frame_position,
                  "Position of the reference's origin in the world [{m}]");
   return all;
@@ -210,7 +209,7 @@ const Description& description_of(const LoopProjectionOptions* /*of*/) {
           .field("weights", &S::weights,
                  "Cost of motion for each entry of v: nv positive numbers (empty: equal costs)")
           .field("tolerance", &S::tolerance,
-                 "Largest error of a row at which a loop counts as closed, m or rad",
+                 "Largest accepted error of a closed loop in each constrained direction, m or rad",
                  {.least = 0, .open = true})
           .field("max_iterations", &S::max_iterations,
                  "Maximum number of iterations, summed over all restarts",

@@ -42,8 +42,9 @@ const Description& description_of(const CheckRow* /*of*/) {
   using S = CheckRow;
   static const Description all =
       Describe<S>("derivatives", "CheckRow",
-                  "Result of the check for one set of contacts, over all random states. A text "
-                  "member lists the values of all contacts, joined by \" + \", if they differ.")
+                  "Result of the check for one set of contacts, over all random states. If the "
+                  "contacts differ in a text member, the member lists the texts of all contacts, "
+                  "joined by \" + \".")
           .field("reference", &S::reference)
           .field("directions", &S::directions)
           .field("bodies", &S::bodies,
@@ -169,10 +170,10 @@ const Description& description_of(const PlacementDerivatives* /*of*/) {
                  "Derivative of the rotation R, in the frame's own axes: 3 x nv")
           .more("Column k is the vector w with R^T dR/dq_k = [w x].")
           .field("rotation_error", &S::rotation_error,
-                 "Derivative of log(R_target^T R) for the rotation R: 3 x nv")
+                 "Derivative of log(R_target^T R), with the target R_target: 3 x nv")
           .field("placement_error", &S::placement_error,
                  "Derivative of the pose error relative to a target: 6 x nv")
-          .more("The pose error is the SE(3) logarithm of the frame's placement, written in the "
+          .more("The pose error is the SE(3) logarithm of the frame's placement relative to the "
                 "target.");
   return all;
 }

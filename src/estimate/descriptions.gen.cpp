@@ -9,7 +9,7 @@ const Words& words_of(FootKind /*of*/) {
   static const Words all{
       "estimate",
       "FootKind",
-      "Kind of a robot's foot: which of its motions are zero while the foot stands.",
+      "Kind of a foot: motions of the foot that are zero while the foot stands.",
       {{"ball", "Point foot: the origin of its frame does not move"},
        {"sole", "Planar foot: its frame neither moves nor rotates"}}};
   return all;
@@ -74,7 +74,8 @@ const Description& description_of(const UnitWatchOptions* /*of*/) {
                  "Time of agreement with the feet after which a faulty IMU is used again [{s}]",
                  {.least = 0, .open = true})
           .field("decay_time", &S::decay_time,
-                 "Decay time of the jump when the feet replace a faulty IMU [{s}]",
+                 "Decay time of the jump in the estimate when the IMU is no longer used after a "
+                 "fault [{s}]",
                  {.least = 0, .open = true})
           .more("The jump is the difference between the last estimate and the estimate from the "
                 "feet.");
@@ -253,7 +254,7 @@ const Description& description_of(const ImuReading* /*of*/) {
                  "Angular velocity [{rad/s}]")
           .field("accelerometer", &S::accelerometer,
                  "Specific force: acceleration minus gravity [{m/s^2}]")
-          .more("At rest, it points up.");
+          .more("At rest, this vector points up.");
   return all;
 }
 
@@ -273,9 +274,9 @@ const Description& description_of(const Measurement* /*of*/) {
           .field("wrenches", &S::wrenches,
                  "Measured wrenches by surfaces on the robot, one column per entry of "
                  "Controller.touches: force (N), then moment (Nm)")
-          .more("Moments are about the origin of the touch's frame. Force and moment are in the "
-                "axes of this frame and exclude the weight of the tool or foot. Components that "
-                "no sensor measures are NaN")
+          .more("Each entry names the frame of a tool or foot. Moments are about the origin of "
+                "this frame. Force and moment are in the axes of this frame and exclude the "
+                "weight of the tool or foot. Components that no sensor measures are NaN")
           .field("imu", &S::imu,
                  "Reading of the inertial measurement unit; empty if the robot has none")
           .field("base_lost_for", &S::base_lost_for,
@@ -308,7 +309,7 @@ const Description& description_of(const ModelErrorOptions* /*of*/) {
                  "Kind of error that is estimated: `none`, `torque` (per joint) or `force` (along"
                  " the normal)")
           .field("bandwidth", &S::bandwidth,
-                 "Bandwidth of the observer (automatic: 30, but fitted to the arm in polishing) "
+                 "Bandwidth of the observer (automatic: 30; for polishing, fitted to the arm) "
                  "[{rad/s}]",
                  {.least = 0, .open = true})
           .more("A higher bandwidth corrects friction sooner and tolerates less delay. If `kind` "
@@ -317,8 +318,8 @@ const Description& description_of(const ModelErrorOptions* /*of*/) {
                 "Hz, the loop works at 50 rad/s and oscillates at 100 rad/s.")
           .word("auto")
           .field("transient_scale", &S::transient_scale,
-                 "Largest factor on the bandwidth (automatic: 3, but fitted to the arm in "
-                 "polishing)",
+                 "Largest factor on the bandwidth (automatic: 3; for polishing, fitted to the "
+                 "arm)",
                  {.least = 0, .open = true})
           .more("The factor rises while a torque error changes faster than its noise: after a "
                 "push or an impact, or when a joint reverses. With 1, the bandwidth does not rise")
@@ -328,18 +329,18 @@ const Description& description_of(const ModelErrorOptions* /*of*/) {
                  {.least = 0.01, .most = 1})
           .more("A smaller factor lets less noise pass, such as encoder steps")
           .field("lag", &S::lag,
-                 "Lag of velocities behind torques (automatic: 0, but fitted to the arm in "
-                 "polishing) [{s}]",
+                 "Lag of velocities behind torques (automatic: 0; for polishing, fitted to the "
+                 "arm) [{s}]",
                  {.least = 0})
           .more("Motors and the filters of measured velocities cause the lag. "
                 "MpcSpec.command_delay and measurement_delay are not part of the lag")
           .word("auto")
           .field("force_gain", &S::force_gain,
-                 "Gain on the normal force error (automatic: 0, but fitted to the arm in "
-                 "polishing) [{N/N}]",
+                 "Gain on the normal force error (automatic: 0; for polishing, fitted to the arm)"
+                 " [{N/N}]",
                  {.least = 0})
-          .more("Force error times gain is a commanded force on the tool. The gain is used only "
-                "in contact, with a force sensor, and if `kind` is torque")
+          .more("The product of gain and force error is a commanded force on the tool. The gain "
+                "is used only in contact, with a force sensor, and if `kind` is torque")
           .word("auto")
           .field("sliding_bandwidth", &S::sliding_bandwidth,
                  "Bandwidth of the estimate of friction along the surface (0: as `bandwidth`) "

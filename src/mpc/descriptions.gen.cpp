@@ -92,7 +92,7 @@ const Description& description_of(const FaultReport* /*of*/) {
                 " fault concerns a joint, the unit is rad, rad/s or Nm (prismatic joint: m, m/s "
                 "or N)")
           .field("limit", &S::limit,
-                 "Limit that `value` violates, in the same unit")
+                 "Limit that `value` violates, in the unit of `value`")
           .field("quantity", &S::quantity,
                  "Subject of the fault: a monitored quantity, a support, or a part of the robot; "
                  "empty if there is none")
@@ -117,8 +117,9 @@ const Description& description_of(const LinearFeedback* /*of*/) {
   using S = LinearFeedback;
   static const Description all =
       Describe<S>("mpc", "LinearFeedback",
-                  "Linear feedback law u = feedforward + gain (x (-) state), where (-) is the "
-                  "difference of two states on their manifold.")
+                  "Linear feedback law for the control u at the state x: u = feedforward + gain "
+                  "(x (-) state). The sign (-) stands for the difference of two states on their "
+                  "manifold.")
           .result()
           .field("feedforward", &S::feedforward,
                  "Feedforward torques, nu entries [{Nm (N)}]")
@@ -219,19 +220,19 @@ const Description& description_of(const Fallback* /*of*/) {
   using S = Fallback;
   static const Description all =
       Describe<S>("mpc", "Fallback",
-                  "Spring and damper in the joints that stop the robot after a fault and hold it "
-                  "there. The torque of the actuated joints is tau = b(q, 0) - M (stiffness e + "
+                  "Virtual spring and damper in each joint, to stop and hold the robot after a "
+                  "fault. The torque of the actuated joints is tau = b(q, 0) - M (stiffness e + "
                   "damping v), clipped to the effort limits. M is the mass matrix, b(q, 0) the "
                   "gravity torque, v the joint velocity and e = q (-) q_hold the spring "
                   "deflection. q_hold is the configuration at the fault. If the spring torque of "
                   "a joint would exceed `saturation_fraction` times its effort limit, q_hold "
                   "follows the robot.")
           .field("stiffness", &S::stiffness,
-                 "Spring stiffness, multiplied by the mass matrix (0: no spring, only the damper)"
-                 " [{1/s^2}]",
+                 "Ratio of spring stiffness to mass matrix (0: no spring, only the damper) "
+                 "[{1/s^2}]",
                  {.least = 0})
           .field("damping", &S::damping,
-                 "Damping, multiplied by the mass matrix [{1/s}]",
+                 "Ratio of damping to mass matrix [{1/s}]",
                  {.least = 0})
           .field("saturation_fraction", &S::saturation_fraction,
                  "Largest spring torque, as a fraction of a joint's effort limit",
@@ -244,10 +245,10 @@ const Words& words_of(PlanTiming /*of*/) {
       "mpc",
       "PlanTiming",
       "Time at which a newly computed plan replaces the previous one.",
-      {{"fixed", "A plan is used a fixed time, solver_delay, after the measurement from which it was "
+      {{"fixed", "A plan comes into use solver_delay seconds after the measurement from which it is "
         "computed"},
-       {"measured", "A plan is used when its measured computing time has passed in simulated time"},
-       {"thread", "A plan is used as soon as a background thread has computed it"}}};
+       {"measured", "A plan comes into use when its measured computing time has passed in simulated time"},
+       {"thread", "A plan comes into use as soon as a background thread has computed the plan"}}};
   return all;
 }
 
@@ -286,12 +287,14 @@ const Description& description_of(const MpcSpec* /*of*/) {
                 "that are in contact only in some stages, such as hands on a wall, require "
                 "support_sensors")
           .field("resting_supports", &S::resting_supports,
-                 "Entries of `supports` that rest with a planned force, such as a hand on a table")
-          .more("The fallback does not stand on them, even if they are in contact in every stage:"
-                " it would load a hand like a foot. They require support_sensors")
+                 "Entries of `supports` that press with a planned force, such as a hand on a "
+                 "table")
+          .more("The fallback does not use these supports, even if they are in contact in every "
+                "stage, because the fallback would load a hand like a foot. These supports "
+                "require support_sensors")
           .field("support_sensors", &S::support_sensors,
-                 "Whether Measurement.wrenches has a column for each entry of `supports`, after "
-                 "that of the tool")
+                 "Whether Measurement.wrenches has a column for each support, after the column of"
+                 " the tool")
           .more("All supports then need a sensor of force and moment: a NaN in one of these "
                 "columns makes the measurement invalid. Torque errors are estimated in all "
                 "joints, including the joints of supporting legs")

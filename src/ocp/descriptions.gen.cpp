@@ -35,8 +35,8 @@ const Description& description_of(const ProblemCheckOptions* /*of*/) {
                  "Largest random change of a velocity [{rad/s}], or in m/s")
           .field("torque", &S::torque,
                  "Largest random change of a control or of a torque in the state [{Nm}], or in N")
-          .more("The value is for a robot of 20 kg and 1 m. It is scaled with the robot's weight,"
-                " and in Nm also with the robot's size")
+          .more("The value is for a robot of 20 kg and 1 m. For other robots, it is scaled with "
+                "the robot's weight. In Nm, it is also scaled with the robot's size")
           .field("progress", &S::progress,
                  "Function called after each stage, with the number of finished stages and the "
                  "number of all stages.");
@@ -109,8 +109,8 @@ const Description& description_of(const InputSpec* /*of*/) {
                  "Value until Problem::set_input() sets one: constant, or a function of time; "
                  "empty: none")
           .more("While an input has no value, its uses keep the values of the specification. A "
-                "vector needs a value, which defines its number of entries. A surface or an "
-                "inertia cannot have one here")
+                "vector needs this value, because the value defines the number of entries. A "
+                "surface or an inertia cannot have this value")
           .field("frame", &S::frame,
                  "Frame of the robot that carries the payload; required for an inertia, empty for"
                  " other kinds");
@@ -225,7 +225,7 @@ const Description& description_of(const CostTerm* /*of*/) {
           .field("surface_input", &S::surface_input,
                  "Name of the input whose surface replaces the surface of the residual's "
                  "reference; empty: none")
-          .more("A residual without a curved reference needs a target position. The target "
+          .more("If the reference follows no surface, the residual needs a target position. This "
                 "position then moves into the surface along the normal, by the depth of the input");
   return all;
 }
@@ -256,11 +256,12 @@ const Description& description_of(const Constraint* /*of*/) {
           .field("scale", &S::scale,
                  "Characteristic size of each row, in its unit: one number, or one per row; "
                  "empty: automatic")
-          .more("If both limits exist, the automatic size is half the distance between them. "
-                "Otherwise it is the robot's own limit of the quantity. For forces, it is the "
-                "robot's weight. For torque rates, it is torque limit times cut-off. For "
-                "distances, it is the limit itself, if above zero. For support margins, it is "
-                "half the width of the polygon. If none of these exists, the size must be stated")
+          .more("If both limits exist and differ, the automatic size is half their difference. "
+                "Otherwise it depends on the residual. For forces, it is the robot's weight. For "
+                "torque rates, it is torque limit times cut-off. For distances, it is the limit "
+                "itself, if above zero. For support margins, it is half the width of the polygon."
+                " For other residuals, it is the robot's own limit of the quantity. If none of "
+                "these exists, the size must be stated")
           .number_too()
           .field("l1_weight", &S::l1_weight,
                  "L1 penalty weight of violations (infinite: hard), in cost per row unit",
@@ -283,7 +284,7 @@ const Description& description_of(const Constraint* /*of*/) {
           .field("surface_input", &S::surface_input,
                  "Name of the input whose surface replaces the surface of the residual's "
                  "reference; empty: none")
-          .more("A residual without a curved reference needs a target position. The target "
+          .more("If the reference follows no surface, the residual needs a target position. This "
                 "position then moves into the surface along the normal, by the depth of the input");
   return all;
 }
@@ -316,8 +317,8 @@ const Words& words_of(TorqueModel::Discretization /*of*/) {
       "ocp",
       "Discretization",
       "Discretization of the low-pass filter over one step.",
-      {{"exact", "The torque error decays by exp(-cutoff step) over a step"},
-       {"euler", "The torque error decays by 1 - cutoff step over a step"},
+      {{"exact", "A step multiplies the torque error u - tau by exp(-cutoff step)"},
+       {"euler", "A step multiplies the torque error u - tau by 1 - cutoff step"},
        {"held", "No filter: tau in the state is the control of the previous step, and the current control"
         " acts on the robot"}}};
   return all;
@@ -399,11 +400,10 @@ const Description& description_of(const ProblemSpec* /*of*/) {
           .field("actuation", &S::actuation)
           .field("torque_model", &S::torque_model)
           .field("force_states", &S::force_states,
-                 "Names of contacts; the forces of these contacts in the previous step become "
-                 "part of the state")
+                 "Names of contacts whose forces in the previous step become part of the state")
           .more("These forces are inputs of ContactForceRate, and do not act on the robot. There "
-                "is one entry per constrained direction, in the contact's own reference. The "
-                "entry is zero if the contact was not active")
+                "is one entry per constrained direction, in the contact's own reference frame. "
+                "Entries of a contact that was not active are zero")
           .field("control_lower", &S::control_lower,
                  "Lower bounds of the control in Nm (N): nu entries, or one for all; empty: none")
           .number_too()
@@ -459,8 +459,8 @@ const Description& description_of(const StepReport* /*of*/) {
   static const Description all =
       Describe<S>("ocp", "StepReport",
                   "Result of check_steps(): the worst position error and the worst velocity "
-                  "error. Any error above its limit is worse than any error within its limit. "
-                  "Otherwise the larger error is worse.")
+                  "error. Any error above its limit is worse than any error within its limit; "
+                  "other errors are compared by size.")
           .result()
           .field("status", &S::status,
                  "Status ok, or the reason why the errors of `knot` cannot be computed")
@@ -568,11 +568,11 @@ const Description& description_of(const FramePosition* /*of*/) {
   static const Description all =
       Describe<S>("residual", "FramePosition",
                   "Position of a frame's origin minus the target, 3 rows, m, in the axes of the "
-                  "reference. The base of the reference must be the world, and the reference's "
-                  "origin must not be the frame itself. With Reference.on, the axes of the "
-                  "reference follow a surface at the frame. The position is then measured from "
-                  "the origin of the frame in which the surface is fixed. The first two rows are "
-                  "along the surface's tangents.")
+                  "reference frame. The base of the reference must be the world, and the origin "
+                  "must not be the frame itself. With Reference.on, the axes of the reference "
+                  "follow a surface at the frame. The position is then measured from the origin "
+                  "of the frame in which the surface is fixed. The first two rows are along the "
+                  "surface's tangents.")
           .field("frame", &S::frame)
           .name_of("frame")
           .stated()
@@ -588,11 +588,11 @@ const Description& description_of(const FrameDistance* /*of*/) {
   using S = FrameDistance;
   static const Description all =
       Describe<S>("residual", "FrameDistance",
-                  "Distance of a frame's origin from the target, 1 row, m, along one or more axes"
-                  " of the reference. With three axes it is the distance from a point, with two "
-                  "axes from a line, with one axis from a plane. The base of the reference must "
-                  "be the world, and the reference's origin must not be the frame itself. For a "
-                  "distance d the row is sqrt(d^2 + (1e-6 m)^2), which is differentiable "
+                  "Distance of a frame's origin from the target, along one or more axes of the "
+                  "reference; 1 row [m]. With three axes it is the distance from a point, with "
+                  "two axes from a line, with one axis from a plane. The base of the reference "
+                  "must be the world, and the reference's origin must not be the frame itself. "
+                  "For a distance d the row is sqrt(d^2 + (1e-6 m)^2), which is differentiable "
                   "everywhere. At d = 0 the derivative of the row is zero.")
           .field("frame", &S::frame)
           .name_of("frame")
@@ -630,12 +630,12 @@ const Description& description_of(const FrameInclination* /*of*/) {
   using S = FrameInclination;
   static const Description all =
       Describe<S>("residual", "FrameInclination",
-                  "Lead and tilt of an axis of a frame minus the target, 2 rows, rad. Lead is the"
-                  " inclination from the reference's z axis towards its x axis, atan2(e_x, e_z). "
-                  "Tilt is the inclination from the z axis towards the y axis, atan2(e_y, e_z). "
-                  "The vector e is the frame's axis, written in the reference. The base of the "
-                  "reference must be the world. Rotation about the frame's axis has no effect. "
-                  "With Reference.on, z is the normal of a surface.")
+                  "Lead and tilt of an axis e of a frame minus the target, 2 rows, rad. Here e is"
+                  " written in the reference frame. Lead is the inclination from the reference's "
+                  "z axis towards its x axis, atan2(e_x, e_z). Tilt is the inclination from the z"
+                  " axis towards the y axis, atan2(e_y, e_z). The base of the reference must be "
+                  "the world. Rotation about the axis e has no effect. With Reference.on, z is "
+                  "the normal of a surface.")
           .field("frame", &S::frame)
           .name_of("frame")
           .stated()
@@ -686,8 +686,8 @@ const Description& description_of(const FrameVelocity* /*of*/) {
   static const Description all =
       Describe<S>("residual", "FrameVelocity",
                   "Velocity of a frame in the world minus the target, 6 rows: 3 in m/s, 3 in "
-                  "rad/s. The velocity is written in the reference. The tool of the reference is "
-                  "the frame, and the base is the world.")
+                  "rad/s. The velocity is written in a reference frame, whose tool is the frame "
+                  "and whose base is the world.")
           .field("frame", &S::frame)
           .name_of("frame")
           .stated()
@@ -702,8 +702,8 @@ const Description& description_of(const ContactForce* /*of*/) {
   static const Description all =
       Describe<S>("residual", "ContactForce",
                   "Force of an active contact minus the target, N and Nm. In the contact's own "
-                  "reference, there is one row per constrained direction. In another reference, "
-                  "there are six rows.")
+                  "reference frame, there is one row per constrained direction. In another "
+                  "reference frame, there are six rows.")
           .field("contact", &S::contact)
           .name_of("contact")
           .stated()
@@ -719,7 +719,7 @@ const Description& description_of(const ContactForceRate* /*of*/) {
       Describe<S>("residual", "ContactForceRate",
                   "Rate of change of an active contact's force f, (f - f_before) / step, minus "
                   "the target, N/s and Nm/s. f_before is the force of the previous step. There is"
-                  " one row per constrained direction, in the contact's own reference. The "
+                  " one row per constrained direction, in the contact's own reference frame. The "
                   "contact must be in the problem's list force_states.")
           .field("contact", &S::contact)
           .name_of("contact")
@@ -765,12 +765,12 @@ const Description& description_of(const CenterOfPressure* /*of*/) {
                   "Margins of the centre of pressure within a rectangle in the tool's axes, times"
                   " the normal force f_z. There are 4 rows, Nm: half_x f_z + m_y, half_x f_z - "
                   "m_y, half_y f_z + m_x and half_y f_z - m_x. The centre of pressure is c = "
-                  "(-m_y, m_x) / f_z. In the order of the rows, a row is zero if c is at the edge"
-                  " with the largest x, smallest x, smallest y or largest y. With friction there "
-                  "are 8 more rows, Nm: the distances of the moment about the normal from the "
-                  "moments at which the corners slip. The first 4 of the 8 rows limit negative "
-                  "moments, the last 4 positive moments. Each corner has the coefficient "
-                  "`friction`. Default penalty: a barrier at 0.")
+                  "(-m_y, m_x) / f_z. These rows are zero if c is at the edge with the largest x,"
+                  " smallest x, smallest y and largest y, respectively. With friction, there are "
+                  "8 more rows, Nm: the distances of the moment about the normal from the moments"
+                  " at which the corners slip. The first 4 of the 8 rows limit negative moments, "
+                  "the last 4 positive moments. Each corner has the coefficient `friction`. "
+                  "Default penalty: a barrier at 0.")
           .field("contact", &S::contact)
           .name_of("contact")
           .stated()

@@ -109,8 +109,8 @@ const Description& description_of(const DdpSummary* /*of*/) {
           .field("active_constraints", &S::active_constraints,
                  "Number of active constraint rows")
           .field("unsatisfiable_rows", &S::unsatisfiable_rows,
-                 "Number of hard rows that cannot be satisfied: their multiplier has reached the "
-                 "L1 penalty weight")
+                 "Number of hard rows that cannot be satisfied, because their multipliers have "
+                 "reached the L1 penalty weight")
           .field("conflict", &S::conflict,
                  "Violated rows, the worst first; empty unless the reason is Infeasible")
           .field("stopping", &S::stopping,
@@ -366,7 +366,7 @@ const Description& description_of(const LimitOptions* /*of*/) {
                  " the row)",
                  {.least = 0, .open = true})
           .more("If rows remain violated at this weight, their squared violations are penalized "
-                "instead, at first with the same weight")
+                "instead, at first with this weight")
           .field("max_l1_weight", &S::max_l1_weight,
                  "Largest penalty weight of hard rows",
                  {.least = 0})
@@ -414,8 +414,8 @@ const Description& description_of(const DdpOptions* /*of*/) {
   using S = DdpOptions;
   static const Description all =
       Describe<S>("solver", "DdpOptions",
-                  "Options of a DdpSolver. Texts of tolerances state the inequality in which each"
-                  " tolerance is used.")
+                  "Options of a DdpSolver. The description of each tolerance states the "
+                  "inequality that uses the tolerance.")
           .field("update", &S::update)
           .field("max_iterations", &S::max_iterations,
                  "Largest number of iterations of a solve",
@@ -462,8 +462,8 @@ const Description& description_of(const DdpOptions* /*of*/) {
           .field("limits", &S::limits)
           .field("regularization", &S::regularization)
           .field("callback", &S::callback,
-                 "Function called after each iteration; False stops the solve, None and True "
-                 "continue")
+                 "Function called after each iteration; the result False stops the solve, None "
+                 "and True continue")
           .more("Exceptions of the function reach the caller of solve()");
   return all;
 }

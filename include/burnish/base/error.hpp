@@ -11,7 +11,7 @@ namespace burnish {
 
 /// Exception for a specification, a file or an argument that cannot be used. Functions for use
 /// inside a control loop return a Status for bad numbers. They throw Error only for wrong calls,
-/// such as with an unknown index.
+/// such as a call with an unknown index.
 ///
 /// Each sentence of the message is one line of valid UTF-8. In text that is quoted from a file,
 /// blanks replace control characters, and question marks replace invalid bytes. Text beyond 4000
@@ -19,12 +19,12 @@ namespace burnish {
 class Error : public std::runtime_error {
  public:
   explicit Error(const std::string& sentence);
-  /// Creates an Error that lists at most 50 problems of one object. For one problem, what() is
-  /// "origin: problem". For several, what() is "origin: 3 problems: (1) problem (2) ...". If
-  /// `origin` is empty, "origin: " is left out.
+  /// Creates an Error that lists at most 50 problems of the object with the name `origin`. For one
+  /// problem, what() is "origin: problem". For several problems, what() is "origin: 3 problems: (1)
+  /// problem (2) ...". If `origin` is empty, "origin: " is left out.
   Error(const std::string& origin, const std::vector<std::string>& problems);
 
-  /// Returns the problems, one sentence each. A single sentence equals what().
+  /// Returns one sentence per problem. If there is only one problem, its sentence equals what().
   const std::vector<std::string>& sentences() const noexcept { return *sentences_; }
 
  private:

@@ -14,8 +14,8 @@ namespace burnish {
 class InputValues {
  public:
   InputValues() = default;
-  /// `first` holds one index per input, at which the input's entries begin in `values`, and then
-  /// the total number of entries. `values` and `first` must outlive this object.
+  /// `first` holds the index in `values` of the first entry of each input, and then the total
+  /// number of entries. `values` and `first` must outlive this object.
   InputValues(const double* values, std::span<const int> first) : values_(values), first_(first) {}
 
   /// Returns the entries of an input. Surface and inertia inputs, and inputs that do not exist,

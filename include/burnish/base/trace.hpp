@@ -41,8 +41,8 @@ class Trace {
   int index(std::string_view name) const;
   bool has(std::string_view name) const;
 
-  /// Appends a row of zeros. Returns a pointer to the first of the row's entries, one per column.
-  /// Returns nullptr if the table is full.
+  /// Appends a row of zeros, one per column. Returns a pointer to the first entry of the row, or
+  /// nullptr if the table is full.
   double* add_row() noexcept;
   void clear() noexcept;
 

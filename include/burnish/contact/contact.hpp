@@ -72,7 +72,7 @@ struct SlidingFriction {
 
 /// Contact that constrains a tool frame relative to a base frame in some directions: alpha + kd nu
 /// + kp e = 0. Here e, nu and alpha are the pose error, velocity and acceleration of the tool
-/// relative to the base, written in the axes of the reference.
+/// relative to the base, written in the axes of the contact's Reference.
 /// @described contact
 struct ContactSpec {
   std::string name = {};       ///< Unique name (empty: the name of the tool frame)
@@ -101,8 +101,8 @@ struct ContactSpec {
   ContactSpec& with_gains(double kp_all, double kd_all);
 };
 
-/// Returns `contacts` with each time-varying reference replaced by its value at `time` [s]. Throws
-/// Error if a reference has no rotation at `time`.
+/// Returns `contacts` with each time-varying Reference replaced by its value at `time` [s]. Throws
+/// Error if the rotation of a Reference at `time` is not a unit quaternion.
 std::vector<ContactSpec> contacts_at(std::vector<ContactSpec> contacts, double time);
 
 }  // namespace burnish

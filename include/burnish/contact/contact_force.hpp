@@ -1,4 +1,4 @@
-// Contact force, together with its two bodies and the reference in which it is written.
+// Contact force with the two bodies on which it acts, and with the Reference that defines its axes.
 #pragma once
 
 #include <string>
@@ -19,15 +19,15 @@ struct ContactForce {
   Vector6 value;        ///< Force (N), then moment about the origin of the reference (Nm)
 
   /// Rotation matrix from tool axes to world axes @note All rotations and positions in this struct
-  /// are those at which the force was computed. With them, in() converts the force without the
-  /// robot.
+  /// are those at which the force was computed. From these values, in() converts the force without
+  /// access to the robot.
   Eigen::Matrix3d tool_rotation;
   Eigen::Matrix3d base_rotation;  ///< Rotation matrix from base axes to world axes
   Eigen::Vector3d tool_position;  ///< Position of the tool frame in the world [m]
 
   /// Position of the base frame in the world [m]
   Eigen::Vector3d base_position = Eigen::Vector3d::Zero();
-  /// Rotation matrix to world axes, from the frame in which the reference's axes are fixed
+  /// Rotation matrix from the axes of the frame `reference.axes` to world axes
   Eigen::Matrix3d frame_rotation = Eigen::Matrix3d::Identity();
   /// Position of the reference's origin in the world [m]
   Eigen::Vector3d frame_position = Eigen::Vector3d::Zero();

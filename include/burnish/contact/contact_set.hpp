@@ -11,9 +11,9 @@
 namespace burnish {
 
 /// Tolerance for the linear independence of contact rows (rows of the contact Jacobian). A row is
-/// independent if its part orthogonal to all rows before it exceeds about this fraction of the
-/// largest motion along the row that the joints could produce at any posture. The tolerance exceeds
-/// rounding errors in robot files: an angle with six decimals has an error of up to 5e-7.
+/// independent if its part orthogonal to all rows before it is long enough. The minimum length is
+/// about this fraction of the largest motion along the row that the joints could produce at any
+/// posture. The tolerance exceeds rounding errors in robot files, such as 5e-7 for six decimals.
 inline constexpr double independence_tolerance = 1e-6;
 
 /// Options for computing contact forces from the KKT system: compliance and proximal iterations.
@@ -40,8 +40,8 @@ struct ContactSolver {
 /// Constants of one contact, prepared for numerical kernels.
 struct CompiledContact;
 
-/// Maximum number of contacts in a set. Memory grows with the square of the number of contact rows,
-/// and computing time with its cube.
+/// Maximum number of contacts in a set. Memory grows with the square of the number of contact rows.
+/// The duration of computations grows with the cube of this number.
 inline constexpr std::size_t max_contacts = 100;
 
 /// Immutable set of contacts, compiled for one model. The contacts, and the rows of active

@@ -76,7 +76,7 @@ struct LoopProjectionOptions {
 
   /// Cost of motion for each entry of v: nv positive numbers (empty: equal costs)
   Eigen::VectorXd weights = {};
-  /// Largest error of a row at which a loop counts as closed, m or rad, > 0
+  /// Largest accepted error of a closed loop in each constrained direction, m or rad, > 0
   double tolerance = 1e-9;
   int max_iterations = 200;  ///< Maximum number of iterations, summed over all restarts, >= 1
 

@@ -39,8 +39,9 @@ std::vector<CheckGains> default_check_gains();
 std::vector<SurfaceShape> default_check_surfaces();
 
 /// Options of check_derivatives(). If `contacts` has entries, only these contacts are checked.
-/// Otherwise the check sweeps over contacts of one tool: each entry of `references` and `surfaces`
-/// is combined with each entry of `directions`, `accelerations` and `gains`.
+/// Otherwise the check sweeps over contacts of one tool. The reference of a contact is an entry of
+/// `references`, or belongs to an entry of `surfaces`. Each of these references is combined with
+/// each entry of `directions`, `accelerations` and `gains`.
 struct CheckOptions {
   /// Name of the tool frame C2. Empty: the result of default_tool().
   std::string tool;
@@ -83,8 +84,8 @@ struct CheckEntry {
   int state = -1;         ///< Index of the random state, from 0
 };
 
-/// Result of the check for one set of contacts, over all random states. A text member lists the
-/// values of all contacts, joined by " + ", if they differ.
+/// Result of the check for one set of contacts, over all random states. If the contacts differ in a
+/// text member, the member lists the texts of all contacts, joined by " + ".
 /// @described derivatives
 struct CheckRow {
   std::string reference;
@@ -142,8 +143,8 @@ struct CheckReport {
 ///
 /// The check skips states
 ///  - with nearly singular contacts: the condition number of J M^-1 J^T exceeds 1e5. The rows of J
-///    are first scaled to unit length, or to less if the joints hardly move the contact along the
-///    row.
+///    are first scaled to unit length. Exception: a row along which the joints hardly move the
+///    contact is scaled to a smaller length.
 ///  - with a rotation error within 0.1 rad of half a turn, if a proportional gain acts on
 ///    rotations. The logarithm of the rotation jumps at half a turn.
 ///  - where the surface of a contact in `options.contacts` has no normal, or a normal nearly

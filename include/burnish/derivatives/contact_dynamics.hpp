@@ -106,8 +106,8 @@ class ContactDynamics {
   Status update(const ConstVectorRef& q, const ConstVectorRef& v);
   /// Computes joint accelerations and contact forces at the state of the last update() or other
   /// evaluation, without computing kinematics and mass matrix again. Active contacts, references,
-  /// surfaces and friction may have changed since then. Returns NotEvaluated if no state was
-  /// evaluated, or if a payload was set since then.
+  /// surfaces and friction may have changed since that evaluation. Returns NotEvaluated if no state
+  /// was evaluated, or if a payload was set since that evaluation.
   Status forward(const ConstVectorRef& tau);
   /// Computes the six derivatives of a and lambda with respect to q, v and tau, at the state of the
   /// last forward().
@@ -121,9 +121,9 @@ class ContactDynamics {
   /// are dtau/da = mass_matrix() and dtau/dlambda = -jacobian()^T (Proposition 4 of Kleff et al.).
   Status inverse_derivatives();
 
-  /// Computes alpha = J a + alpha_0 + kd nu + kp e at the joint accelerations `a` (nv). J a +
-  /// alpha_0 is the contact acceleration. kd nu + kp e is the Baumgarte stabilization, with the
-  /// contact velocity nu and the pose error e.
+  /// Computes alpha() from the joint accelerations `a` (nv): alpha = J a + alpha_0 + kd nu + kp e.
+  /// J a + alpha_0 is the contact acceleration. kd nu + kp e is the Baumgarte stabilization, with
+  /// the contact velocity nu and the pose error e.
   Status acceleration(const ConstVectorRef& q, const ConstVectorRef& v, const ConstVectorRef& a);
   /// Computes dalpha_dq() and dalpha_dv() at the state of the last acceleration(). The derivative
   /// dalpha/da is jacobian() (Proposition 3 of Kleff et al.).
@@ -145,7 +145,7 @@ class ContactDynamics {
   VectorView a() const;            ///< Joint accelerations, nv [rad/s^2 or m/s^2]
   VectorView lambda() const;       ///< Contact forces, one per active row [N or Nm]
   VectorView tau() const;          ///< Joint torques, nv [Nm or N]
-  VectorView alpha() const;        ///< alpha of acceleration(), per active row [m/s^2 or rad/s^2]
+  VectorView alpha() const;        ///< Result of acceleration(), per active row [m/s^2 or rad/s^2]
   VectorView bias() const;         ///< Bias torques b(q, v), nv [Nm or N]
   MatrixView mass_matrix() const;  ///< Mass matrix with the armature, nv x nv
   MatrixView jacobian() const;     ///< Contact Jacobian, rows x nv

@@ -53,7 +53,7 @@ class ContactDynamicsBatch {
   /// Returns the status of one state in the last call of forward() or forward_with_derivatives().
   /// Returns NotEvaluated if this call had fewer states, or if set_active() or set_payload() was
   /// called since. In these cases, the views a() to dlambda_dtau() have no valid result for the
-  /// state. Derivatives are the results of the last forward_with_derivatives().
+  /// state. After forward(), derivatives still are those of an earlier forward_with_derivatives().
   Status status(int state) const;
   /// Returns a sentence about the status of one state that names the cause; see
   /// ContactDynamics::explanation().

@@ -37,10 +37,10 @@ struct PlacementDerivatives {
   /// Derivative of the rotation R, in the frame's own axes: 3 x nv @more Column k is the vector w
   /// with R^T dR/dq_k = [w x].
   RowMatrix rotation;
-  RowMatrix rotation_error;  ///< Derivative of log(R_target^T R) for the rotation R: 3 x nv
+  RowMatrix rotation_error;  ///< Derivative of log(R_target^T R), with the target R_target: 3 x nv
 
   /// Derivative of the pose error relative to a target: 6 x nv @more The pose error is the SE(3)
-  /// logarithm of the frame's placement, written in the target.
+  /// logarithm of the frame's placement relative to the target.
   RowMatrix placement_error;
 };
 
@@ -100,8 +100,8 @@ class RigidBody {
   /// is resized on first use. Throws Error in the same cases as velocity().
   void frame_jacobian(int frame, const Reference& reference, RowMatrix& out) const;
   void frame_derivatives(int frame, const Reference& reference, FrameDerivatives& out) const;
-  /// Returns the pose error of a frame relative to the pose `target`: the SE(3) logarithm of the
-  /// frame's pose, written in `target` [m, rad].
+  /// Returns the pose error of a frame: the SE(3) logarithm of the frame's pose relative to the
+  /// pose `target` [m, rad].
   Vector6 placement_error(int frame, const Eigen::Isometry3d& target) const;
   void placement_derivatives(int frame, const Eigen::Isometry3d& target,
                              PlacementDerivatives& out) const;

@@ -70,8 +70,8 @@ struct SurfaceShape {
   void check(const std::string& who) const;
   /// Returns a text such as "sphere of radius 0.3 m".
   std::string text() const;
-  /// Parses the name of a kind. All numbers of this kind can follow, and then "hollow". Examples
-  /// are "sphere", "sphere:0.3" and "torus:0.1:0.5:hollow". The numbers are
+  /// Parses a text such as "sphere", "sphere:0.3" or "torus:0.1:0.5:hollow": the name of a kind,
+  /// optionally followed by the numbers of this kind and by "hollow". The numbers are
   ///  - sphere, cylinder: radius;
   ///  - cone: radius, half angle;
   ///  - torus: radius, ring;

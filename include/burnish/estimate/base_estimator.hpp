@@ -15,7 +15,7 @@
 
 namespace burnish {
 
-/// Kind of a robot's foot: which of its motions are zero while the foot stands.
+/// Kind of a foot: motions of the foot that are zero while the foot stands.
 /// @described estimate
 enum class FootKind {
   Ball,  ///< Point foot: the origin of its frame does not move
@@ -61,8 +61,8 @@ struct UnitWatchOptions {
   double silent_after = 3e-3;
   /// Time of agreement with the feet after which a faulty IMU is used again [s], > 0
   double back_after = 0.5;
-  /// Decay time of the jump when the feet replace a faulty IMU [s], > 0 @more The jump is the
-  /// difference between the last estimate and the estimate from the feet.
+  /// Decay time of the jump in the estimate when the IMU is no longer used after a fault [s], > 0
+  /// @more The jump is the difference between the last estimate and the estimate from the feet.
   double decay_time = 0.03;
 };
 

@@ -17,16 +17,16 @@ namespace burnish {
 /// Estimates the floating base of a robot on its feet. In the measurements that the controller
 /// receives, the estimate replaces the base's entries of q and v.
 ///
-/// Measurement::wrenches shows which feet are on the ground. If a foot has no column or a force
-/// that is NaN, FootForces computes the forces on all feet from the joint torques.
+/// Measurement::wrenches shows which feet are on the ground. If a foot has no column, or if its
+/// force is NaN, FootForces computes the forces on all feet from the joint torques.
 ///
 /// GuardedBase estimates the base with a BaseEstimator. While the inertial measurement unit is
 /// silent or wrong, the base is estimated from the feet alone. update() does not throw, and
 /// does not allocate.
 ///
-/// Set each payload of the controller here, too; ClosedLoop::set_payload() does both. While the
-/// payload masses of controller and estimator differ, the controller reports NotPhysical in
-/// Command::status and holds the robot.
+/// Each payload that is set on the controller must also be set here. ClosedLoop::set_payload() sets
+/// the payload on both. While the payload masses of controller and estimator differ, the controller
+/// reports NotPhysical in Command::status and holds the robot.
 class EstimatedBase {
  public:
   /// `touches`: frames of the columns of Measurement::wrenches, as Controller::touches() returns
@@ -57,9 +57,9 @@ class EstimatedBase {
   const Measurement& update(const Measurement& measured) noexcept;
 
   /// Returns the status of the last update(). WrongSize: a vector has the wrong size, the
-  /// number of columns of the wrenches differs from that of touches, or the inertial measurement
-  /// unit is silent for a short time. NotFinite: an entry is not finite, or the time does not
-  /// increase.
+  /// number of columns of the wrenches differs from the number of touches, or the inertial
+  /// measurement unit has been silent for a short time. NotFinite: an entry is not finite, or the
+  /// time does not increase.
   Status status() const;
   const GuardedBase& base() const;
   /// Returns the filter that uses the inertial measurement unit. The filter is not updated while

@@ -14,7 +14,7 @@
 namespace burnish {
 
 /// Observer that estimates the ground forces f on the feet from the joint torques tau. The motion
-/// of the robot needs the torques M dv/dt + b. The difference from tau is attributed to the feet:
+/// of the robot needs the torques M dv/dt + b. The ground forces supply the difference from tau:
 ///   J^T f = M dv/dt + b - tau.
 /// A first-order low-pass filter of bandwidth w smooths the right-hand side. Its output is r:
 ///   dr/dt = w (M dv/dt + b - tau - r).

@@ -29,8 +29,8 @@ struct FrictionEstimateOptions {
 };
 
 /// Returns the smoothed sliding direction v_across / sqrt(|v_across|^2 + speed^2), as in
-/// SlidingFriction. `v_across`: velocity of the tool along the surface [m/s]. `speed`: speed below
-/// which the result is shorter than about 0.7 [m/s].
+/// SlidingFriction. `v_across`: velocity of the tool along the surface [m/s]. `speed`: tool speed
+/// [m/s] at which the result has the length 1 / sqrt(2).
 Eigen::Vector3d sliding_direction(const Eigen::Vector3d& v_across, double speed) noexcept;
 
 /// Kalman filter of the friction coefficient mu, which varies with the sliding distance of the

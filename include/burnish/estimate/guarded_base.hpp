@@ -21,13 +21,13 @@ enum class BaseSource {
 /// The monitor works while the standing feet overdetermine the pose of the IMU. This needs two
 /// planar feet (soles) or three point feet (balls). While these feet do not move relative to each
 /// other, their kinematics give the rotation and displacement of the IMU. The IMU is declared
-/// faulty if its readings differ from this motion by more than UnitWatchOptions allow. The IMU is
-/// not declared faulty if gyroscope and accelerometer agree that the robot tips over its feet.
+/// faulty if its readings differ from this motion by more than UnitWatchOptions allow. Exception:
+/// gyroscope and accelerometer agree that the robot tips over.
 ///
 /// After a fault, the feet alone determine the base. This needs one sole, or three balls that are
-/// not on a line. The estimate assumes that each foot stands where it stood up to half a second
-/// before the fault. Once the IMU has agreed with the feet for the time `back_after`, the IMU is
-/// used again. With too few feet, the base stays at its last estimate.
+/// not on a line. The estimate assumes that each foot stands where it stood shortly before the
+/// fault. Once the IMU has agreed with the feet for the time `back_after`, the IMU is used again.
+/// With too few feet, the base stays at its last estimate.
 ///
 /// Updates allocate nothing and throw nothing.
 class GuardedBase {
@@ -62,7 +62,7 @@ class GuardedBase {
   Eigen::Matrix3d foot_rotation(int foot) const;
   BaseSource source() const;
   double lost_for() const;  ///< Time since the source became None [s]; 0 with another source
-  int takeovers() const;    ///< Number of times that the feet replaced a faulty IMU since reset()
+  int takeovers() const;    ///< Number of times since reset() that the IMU was rejected
 
   /// Returns the underlying BaseEstimator. It is updated only while source() is Filter.
   const BaseEstimator& filter() const;

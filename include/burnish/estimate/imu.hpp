@@ -11,7 +11,7 @@ namespace burnish {
 struct ImuReading {
   Eigen::Vector3d gyro = Eigen::Vector3d::Zero();  ///< Angular velocity [rad/s]
 
-  /// Specific force: acceleration minus gravity [m/s^2] @more At rest, it points up.
+  /// Specific force: acceleration minus gravity [m/s^2] @more At rest, this vector points up.
   Eigen::Vector3d accelerometer = Eigen::Vector3d::Zero();
 };
 

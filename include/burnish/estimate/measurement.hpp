@@ -26,12 +26,12 @@ struct Measurement {
   Eigen::VectorXd tau;
   /// Measured wrenches by surfaces on the robot, one column per entry of Controller.touches: force
   /// (N), then moment (Nm)
-  /// @more Moments are about the origin of the touch's frame. Force and moment are in the axes of
-  /// this frame and exclude the weight of the tool or foot. Components that no sensor measures are
-  /// NaN
+  /// @more Each entry names the frame of a tool or foot. Moments are about the origin of this
+  /// frame. Force and moment are in the axes of this frame and exclude the weight of the tool or
+  /// foot. Components that no sensor measures are NaN
   Wrenches wrenches = {};
-  /// Returns the force in a column of `wrenches`, in the axes of the touch's frame [N]; NaN if
-  /// there is no such column.
+  /// Returns the force in a column of `wrenches`, in the axes of the frame of the tool or foot [N].
+  /// Returns NaN if there is no such column.
   Eigen::Vector3d force_at(Eigen::Index column) const noexcept {
     if (column < 0 || column >= wrenches.cols())
       return Eigen::Vector3d::Constant(std::numeric_limits<double>::quiet_NaN());

@@ -39,14 +39,14 @@ enum class ModelErrorKind {
 struct ModelErrorOptions {
   /// Kind of error that is estimated: `none`, `torque` (per joint) or `force` (along the normal)
   ModelErrorKind kind = ModelErrorKind::Torque;
-  /// Bandwidth of the observer (automatic: 30, but fitted to the arm in polishing) [rad/s], > 0
+  /// Bandwidth of the observer (automatic: 30; for polishing, fitted to the arm) [rad/s], > 0
   /// @more A higher bandwidth corrects friction sooner and tolerates less delay. If `kind` is
   /// `force`, the observer closes a loop through the controller, and the delays of that loop limit
   /// the bandwidth. Example: if the force sensor is filtered at 50 Hz, the loop works at 50 rad/s
   /// and oscillates at 100 rad/s.
   /// @word auto
   std::optional<double> bandwidth = {};
-  /// Largest factor on the bandwidth (automatic: 3, but fitted to the arm in polishing), > 0
+  /// Largest factor on the bandwidth (automatic: 3; for polishing, fitted to the arm), > 0
   /// @more The factor rises while a torque error changes faster than its noise: after a push or an
   /// impact, or when a joint reverses. With 1, the bandwidth does not rise
   /// @word auto
@@ -54,14 +54,14 @@ struct ModelErrorOptions {
   /// Factor on the bandwidth while the torque error is only noise (1: no reduction), 0.01 to 1
   /// @more A smaller factor lets less noise pass, such as encoder steps
   double quiescent_scale = 1.0;
-  /// Lag of velocities behind torques (automatic: 0, but fitted to the arm in polishing) [s], >= 0
+  /// Lag of velocities behind torques (automatic: 0; for polishing, fitted to the arm) [s], >= 0
   /// @more Motors and the filters of measured velocities cause the lag. MpcSpec.command_delay and
   /// measurement_delay are not part of the lag
   /// @word auto
   std::optional<double> lag = {};
-  /// Gain on the normal force error (automatic: 0, but fitted to the arm in polishing) [N/N], >= 0
-  /// @more Force error times gain is a commanded force on the tool. The gain is used only in
-  /// contact, with a force sensor, and if `kind` is torque
+  /// Gain on the normal force error (automatic: 0; for polishing, fitted to the arm) [N/N], >= 0
+  /// @more The product of gain and force error is a commanded force on the tool. The gain is used
+  /// only in contact, with a force sensor, and if `kind` is torque
   /// @word auto
   std::optional<double> force_gain = {};
   /// Bandwidth of the estimate of friction along the surface (0: as `bandwidth`) [rad/s], >= 0

@@ -124,7 +124,8 @@ class SurfaceEstimator {
   bool placed_ = false;
   /// Factor on the initial standard deviations of slope and curvature, at most 1
   double trust_ = 1.0;
-  double curvature_ = 0.0;  ///< Standard deviation of the curvatures at the first contact [1/m]
+  /// Standard deviation of the curvatures when contact begins [1/m]
+  double curvature_ = 0.0;
   Quadric surface_;
   Eigen::Vector3d normal_;
 };

@@ -70,8 +70,8 @@ class Excitation {
     Eigen::MatrixXd sine, cosine;  ///< Amplitudes of the harmonics, nv x harmonics [rad or m]
     /// Scale of the motion; 1 for the largest motion that position ranges and speed limits permit
     double size = 1.0;
-    int heaviest = 0;     ///< Index in v of the largest ratio of torque to its limit, for `size` 1
-    double torque = 0.0;  ///< Torque at index `heaviest` for `size` 1 [Nm or N]
+    int heaviest = 0;     ///< Entry of v with the largest ratio of torque to limit, for `size` 1
+    double torque = 0.0;  ///< Torque at the entry `heaviest`, for `size` 1 [Nm or N]
   };
   bool limit(double effort_share);
   std::string effort_text(const Amplitudes& amplitudes, double effort_share) const;

@@ -307,7 +307,7 @@ struct Model {
 /// effect.
 ///
 /// A held tendon has a constant length, which couples two joints: the second joint becomes a
-/// follower of the first. If only the first joint can follow, it becomes a follower of the second.
+/// follower of the first joint. If only the first joint can follow, the roles are exchanged.
 /// A held tendon causes an error if it couples only one joint, or more than two joints that are not
 /// locked.
 ///

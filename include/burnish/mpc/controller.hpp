@@ -1,4 +1,4 @@
-// Interface between controllers and plants: a measurement goes in, a command comes out.
+// Interface of controllers. A controller turns each measurement of a plant into a command.
 #pragma once
 
 #include <Eigen/Core>
@@ -60,14 +60,14 @@ class Controller {
  public:
   virtual ~Controller() = default;
   virtual int nv() const = 0;
-  /// Returns the frames of the touches whose wrenches the controller reads, in the order of the
-  /// columns of Measurement::wrenches. Without a value, the columns are all touches of the plant's
-  /// scene.
+  /// Returns the frames of the touches (tool or feet) whose wrenches the controller reads, in the
+  /// order of the columns of Measurement::wrenches. If the result has no value, there is a column
+  /// for each touch of the plant's scene.
   virtual std::optional<std::vector<std::string>> touches() const { return std::nullopt; }
   /// Forgets all previous ticks.
   virtual void reset() noexcept = 0;
-  /// Returns the command for a measurement; the reference is valid until the next call. After a
-  /// numerical failure, Command::status is not Ok, but Command::tau can still be applied.
+  /// Returns the command for a measurement. The returned object is valid until the next call. After
+  /// a numerical failure, Command::status is not Ok, but Command::tau can still be applied.
   virtual const Command& tick(const Measurement& measurement) noexcept = 0;
 
   /// Sets the payload that the robot carries at a frame, from the next tick on. `payload`: inertia

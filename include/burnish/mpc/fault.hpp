@@ -45,7 +45,7 @@ struct FaultReport {
   /// @more The unit depends on the kind of fault: s, number of updates, N, m or m/s. If the fault
   /// concerns a joint, the unit is rad, rad/s or Nm (prismatic joint: m, m/s or N)
   double value = 0.0;
-  /// Limit that `value` violates, in the same unit
+  /// Limit that `value` violates, in the unit of `value`
   double limit = 0.0;
   /// Subject of the fault: a monitored quantity, a support, or a part of the robot; empty if there
   /// is none

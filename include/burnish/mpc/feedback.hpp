@@ -15,10 +15,10 @@ namespace burnish {
 
 class DdpSolver;
 
-/// Linear feedback law u = feedforward + gain (x (-) state), where (-) is the difference of two
-/// states on their manifold.
+/// Linear feedback law for the control u at the state x: u = feedforward + gain (x (-) state). The
+/// sign (-) stands for the difference of two states on their manifold.
 /// @described mpc @result
-/// Linear feedback controllers of ros2_control also use a feedforward, a gain and a state.
+/// Linear feedback controllers of ros2_control use laws of this form, too.
 struct LinearFeedback {
   /// Feedforward torques, nu entries [Nm (N)]
   Eigen::VectorXd feedforward;
@@ -68,7 +68,7 @@ class FeedbackPlan {
   /// result of make_feedback(). If the plan is empty, `out` stays unchanged.
   void at(double time, LinearFeedback& out) noexcept;
   LinearFeedback make_feedback() const;
-  /// Computes u = feedforward + gain (x (-) state). `x` has nx entries and `u` has nu entries.
+  /// Writes the control that `feedback` gives at the state `x` (nx entries) into `u` (nu entries).
   void control(const LinearFeedback& feedback, const Eigen::VectorXd& x,
                Eigen::VectorXd& u) noexcept;
 

@@ -1,6 +1,6 @@
 // Stability margins of an arm's controller, computed before a run from the closed loop linearized
-// at rest. The margins are the largest stable extra delay of commands, and the stable range of a
-// factor on the torque of each joint.
+// at rest: the largest extra delay of commands, and for each joint the range of a factor on the
+// joint's torque, at which the loop is stable.
 #pragma once
 
 #include <memory>
@@ -36,7 +36,7 @@ struct LoopMargins {
 
 /// Closed loop of a controller and an arm in one phase of a schedule. The loop is linearized at
 /// rest in the specification's initial state. The model of the loop contains the mass matrix,
-/// gravity, surface, motors, filters, delays (as shift registers), the first gains of the plan, the
+/// gravity, surface, motors, filters, delays (as shift registers), the plan's gains at knot 0, the
 /// observer of torque errors, and the force gain from ModelErrorOptions. Friction, noise, limits
 /// and other estimators are left out.
 ///
@@ -61,13 +61,13 @@ class LoopAnalysis {
   LoopAnalysis& operator=(LoopAnalysis&&) noexcept;
 
   /// Returns the growth rate of the fastest-growing deviation from rest [1/s]. `bandwidth`:
-  /// bandwidth of the observer [rad/s]. `extra_delay`: additional delay of commands [s].
+  /// bandwidth of the model-error observer [rad/s]. `extra_delay`: added delay of commands [s].
   double growth(double bandwidth, double extra_delay) const;
   /// Returns true if the loop is stable in two separate tests. In the first test, commands have the
   /// extra delay `delay` [s]. In the second test, the torque of any one joint is multiplied by
   /// `factor` or by 1 / `factor`. `options` are used instead of MpcSpec::model_error.
   bool tolerates(const ModelErrorOptions& options, double delay, double factor) const;
-  /// Returns the delay margin. LoopMargins::gains stays empty, because it takes longest to compute.
+  /// Returns the delay margin. LoopMargins::gains stays empty, which saves computing time.
   LoopMargins delay_margin(const ModelErrorOptions& options) const;
   /// Returns the delay margin and the ranges of torque factors.
   LoopMargins margins(const ModelErrorOptions& options) const;
@@ -77,8 +77,8 @@ class LoopAnalysis {
   std::unique_ptr<Impl> impl_;
 };
 
-/// Returns the reason why margins cannot be computed for `spec`, as one sentence; empty if they can
-/// be computed.
+/// Returns the reason why margins cannot be computed for `spec`, as one sentence. The sentence is
+/// empty if margins can be computed.
 std::string without_margins(const MpcSpec& spec);
 
 /// Returns the index of the first phase without contact at the tool; -1: every phase has contact.

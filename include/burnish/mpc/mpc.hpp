@@ -25,7 +25,7 @@ class DdpSolver;
 /// clock starts with this measurement.
 ///
 /// The first solve may take long: it runs until it converges or reaches `first_iterations`. With
-/// PlanTiming::Thread, the fallback holds the robot during the first solve, and the schedule's
+/// PlanTiming::Thread, MpcSpec::fallback holds the robot during the first solve, and the schedule's
 /// clock stands still. With PlanTiming::Measured and PlanTiming::Thread, an update that is due
 /// waits until the previous plan is finished.
 ///
@@ -58,8 +58,8 @@ class DdpSolver;
 /// Ticks do not throw. They allocate only if functions in the specification (targets, residuals,
 /// the solver's callback) allocate. Exceptions of targets and residuals are caught, in any thread
 /// of the solver. The update then counts as failed, and take_exception() returns the exception. If
-/// the problem has a torque model, the command is the input of that model's filter, and the
-/// actuators must have the same lag.
+/// the problem has a torque model, the command is the input of the model's low-pass filter. The
+/// actuators must then have the lag of this filter.
 class MpcController final : public Controller {
  public:
   /// Creates the controller. Throws Error with one sentence if the specification is inconsistent.
@@ -67,7 +67,7 @@ class MpcController final : public Controller {
   ~MpcController() override;
 
   int nv() const override;
-  /// Returns touches_of() the specification.
+  /// Returns the result of touches_of() for the specification.
   std::optional<std::vector<std::string>> touches() const override;
   void reset() noexcept override;
   const Command& tick(const Measurement& measurement) noexcept override;
@@ -81,9 +81,9 @@ class MpcController final : public Controller {
   /// otherwise returns Ok. Throws Error for an unknown frame, with the nearest name, and for a
   /// frame that is fixed to the world.
   ///
-  /// If an EstimatedBase estimates the base, set the payload there too (ClosedLoop::set_payload()
-  /// does both). While the payload masses of estimator and controller differ, Command::status is
-  /// NotPhysical and the fallback holds the robot.
+  /// If an EstimatedBase estimates the base, call its set_payload(), too; ClosedLoop::set_payload()
+  /// makes both calls. While the payload masses of estimator and controller differ, Command::status
+  /// is NotPhysical and the fallback holds the robot.
   Status set_payload(std::string_view frame, const InertiaSpec& payload) override;
   double payload_mass() const noexcept override;
 

@@ -49,7 +49,7 @@ struct SafetyLimits {
   double torque_gap = std::numeric_limits<double>::infinity();
 };
 
-/// Spring and damper in the joints that stop the robot after a fault and hold it there. The torque
+/// Virtual spring and damper in each joint, to stop and hold the robot after a fault. The torque
 /// of the actuated joints is tau = b(q, 0) - M (stiffness e + damping v), clipped to the effort
 /// limits. M is the mass matrix, b(q, 0) the gravity torque, v the joint velocity and e = q (-)
 /// q_hold the spring deflection. q_hold is the configuration at the fault. If the spring torque of
@@ -76,9 +76,9 @@ struct SafetyLimits {
 /// without measurements is not held and needs its brakes. When measurements return after the spring
 /// was switched off, q_hold is set to the measured configuration.
 struct Fallback {
-  /// Spring stiffness, multiplied by the mass matrix (0: no spring, only the damper) [1/s^2], >= 0
+  /// Ratio of spring stiffness to mass matrix (0: no spring, only the damper) [1/s^2], >= 0
   double stiffness = 900.0;
-  /// Damping, multiplied by the mass matrix [1/s], >= 0
+  /// Ratio of damping to mass matrix [1/s], >= 0
   double damping = 40.0;
   /// Largest spring torque, as a fraction of a joint's effort limit, 0 to 1
   double saturation_fraction = 0.15;
@@ -87,12 +87,12 @@ struct Fallback {
 /// Time at which a newly computed plan replaces the previous one.
 /// @described mpc
 enum class PlanTiming {
-  /// A plan is used a fixed time, solver_delay, after the measurement from which it was computed
+  /// A plan comes into use solver_delay seconds after the measurement from which it is computed
   Fixed,
-  /// A plan is used when its measured computing time has passed in simulated time
+  /// A plan comes into use when its measured computing time has passed in simulated time
   /// @note Until then the previous plan stays in use, and the next solve does not begin.
   Measured,
-  /// A plan is used as soon as a background thread has computed it
+  /// A plan comes into use as soon as a background thread has computed the plan
   /// @note Ticks do not wait for the thread. The thread calls functions of the specification.
   Thread,
 };
@@ -131,11 +131,11 @@ struct MpcSpec {
   /// robot with a floating base needs at least one such support. Supports that are in contact only
   /// in some stages, such as hands on a wall, require support_sensors
   std::vector<std::string> supports = {};
-  /// Entries of `supports` that rest with a planned force, such as a hand on a table
-  /// @more The fallback does not stand on them, even if they are in contact in every stage: it
-  /// would load a hand like a foot. They require support_sensors
+  /// Entries of `supports` that press with a planned force, such as a hand on a table
+  /// @more The fallback does not use these supports, even if they are in contact in every stage,
+  /// because the fallback would load a hand like a foot. These supports require support_sensors
   std::vector<std::string> resting_supports = {};
-  /// Whether Measurement.wrenches has a column for each entry of `supports`, after that of the tool
+  /// Whether Measurement.wrenches has a column for each support, after the column of the tool
   /// @more All supports then need a sensor of force and moment: a NaN in one of these columns makes
   /// the measurement invalid. Torque errors are estimated in all joints, including the joints of
   /// supporting legs
@@ -198,7 +198,7 @@ struct MpcSpec {
 
 /// Returns the frames of the columns of Measurement::wrenches: first the tool, unless `tool` is
 /// empty. If `support_sensors` is true, the tool frames of the contacts in `supports` follow, in
-/// the order of `supports`. In a simulation, each frame must be a touch of the scene.
+/// the order of `supports`. In a simulation, the scene must have a touch (TouchSpec) at each frame.
 std::vector<std::string> touches_of(const MpcSpec& spec);
 
 }  // namespace burnish

@@ -101,8 +101,8 @@ struct TaskView {
   /// Force of the surface on the tool, measured or estimated, in world axes [N]; zero without a
   /// tool
   const Eigen::Vector3d& tool_force_world;
-  /// Measured wrenches on MpcSpec::supports in their order, as in Measurement::wrenches, 6 x
-  /// supports; no columns if MpcSpec::support_sensors is false
+  /// Measured wrenches on the supports, as in Measurement::wrenches, one column per entry of
+  /// MpcSpec::supports; no columns if MpcSpec::support_sensors is false
   const Wrenches& support_wrenches;
 };
 
@@ -142,10 +142,10 @@ class MpcTask {
   /// every tick, before the schedule's clock advances.
   virtual unsigned sense(const TaskView& /*view*/) noexcept { return 0; }
   /// Returns the estimated surface that the tool touches or approaches. If the result is null,
-  /// plans keep the last surface that was not null. Before the first one after reset(), plans use
-  /// the surfaces of the specification. Called after sense(). The quadric is a function of the
-  /// tool's position in the frame MpcSpec::base (world if empty). The function is zero where the
-  /// tool touches the surface.
+  /// plans keep the last surface that was not null. After reset(), plans use the surfaces of the
+  /// specification until a result is not null. Called after sense(). The quadric is a function of
+  /// the tool's position in the frame `MpcSpec::base` (in the world if `base` is empty). The
+  /// function is zero where the tool touches the surface.
   ///
   /// The returned surface is the value of the input `surface` (docs/tasks.md). It replaces the
   /// surfaces of contacts that use this input, at all knots. The normal of the returned surface at

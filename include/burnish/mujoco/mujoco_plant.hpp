@@ -48,7 +48,7 @@ struct MujocoPlantOptions {
 };
 
 /// Creates a plant that simulates the robot and the scene with MuJoCo. Throws Error if
-///  - checked_scene() rejects the scene, or it has more than 31 touches;
+///  - checked_scene() rejects the scene, or the scene has more than 31 touches (tools and feet);
 ///  - `contact` is Engine and MuJoCo cannot simulate the surface of a tool;
 ///  - an option is out of range;
 ///  - a joint of the robot moves no mass;

@@ -35,8 +35,8 @@ struct ProblemCheckOptions {
   double velocity = 0.5;  ///< Largest random change of a velocity [rad/s], or in m/s
 
   /// Largest random change of a control or of a torque in the state [Nm], or in N
-  /// @more The value is for a robot of 20 kg and 1 m. It is scaled with the robot's weight, and in
-  /// Nm also with the robot's size
+  /// @more The value is for a robot of 20 kg and 1 m. For other robots, it is scaled with the
+  /// robot's weight. In Nm, it is also scaled with the robot's size
   double torque = 5.0;
 
   /// Function called after each stage, with the number of finished stages and the number of all

@@ -30,8 +30,8 @@ struct InputSpec {
   InputKind kind = InputKind::Scalar;
   /// Value until Problem::set_input() sets one: constant, or a function of time; empty: none
   /// @more While an input has no value, its uses keep the values of the specification. A vector
-  /// needs a value, which defines its number of entries. A surface or an inertia cannot have one
-  /// here
+  /// needs this value, because the value defines the number of entries. A surface or an inertia
+  /// cannot have this value
   Signal value = {};
   /// Frame of the robot that carries the payload; required for an inertia, empty for other kinds
   std::string frame = {};

@@ -48,7 +48,7 @@ class NodeView {
   virtual double time() const = 0;   ///< Time of the knot [s]
   virtual VectorView q() const = 0;  ///< Configuration, nq entries
   virtual VectorView v() const = 0;  ///< Velocity, nv entries
-  virtual VectorView u() const = 0;  ///< Control, nu entries; zero at impacts and at the end
+  virtual VectorView u() const = 0;  ///< Control, nu entries; zero at impacts and the horizon's end
 
   /// Torques that the actuators apply, nv entries [Nm, N].
   virtual VectorView tau() const = 0;
@@ -58,8 +58,8 @@ class NodeView {
 
   virtual Eigen::Isometry3d placement(int frame) const = 0;
   virtual Vector6 velocity(int frame, const Reference& reference) const = 0;
-  /// Returns the force of a contact in its constrained directions, written in the contact's own
-  /// reference [N, Nm].
+  /// Returns the force of a contact in its constrained directions, written in the Reference of the
+  /// contact [N, Nm].
   virtual VectorView force(int contact) const = 0;
 
   /// Returns d(velocity)/dv of a frame, written in `reference`, 6 x nv. With Reference::centered(),

@@ -83,19 +83,19 @@ class Problem final : public ShootingProblem {
   Status set_input(int input, const ConstVectorRef& value);
   /// Sets a scalar input, like set_input() with a vector of one entry.
   Status set_input(int input, double value);
-  /// Sets a scalar or vector input to value + exp(-(t - t_0) / decay_time) decaying. Here t is the
-  /// time of a knot, and t_0 is the time of knot 0. `decay_time` [s] must be > 0; otherwise returns
-  /// NotFinite. advance() updates the value at all knots, like a new call of set_input(). If
-  /// set_knot() changes the time of knot 0, the value at another knot changes only at the next
-  /// set_knot() of that knot. Otherwise like set_input().
+  /// Sets a scalar or vector input, a part of which decays along the horizon. At a knot at time t,
+  /// the input is value + exp(-(t - t_0) / decay_time) decaying. Here t_0 is the time of knot 0.
+  /// Returns NotFinite unless `decay_time` [s] > 0. advance() updates all knots, like a new call.
+  /// If set_knot() changes the time of knot 0, the input at another knot changes only at the next
+  /// set_knot() of that knot. All else is as in set_input(input, value).
   Status set_input(int input, const ConstVectorRef& value, const ConstVectorRef& decaying,
                    double decay_time);
   /// Sets a surface input. `surface` is written in the axes of the surfaces and target positions
-  /// that it changes. `depth` [m] >= 0 is the depth by which the surface yields. Otherwise like
-  /// set_input().
+  /// that it changes. `depth` [m] >= 0 is the depth by which the surface yields. All else is as in
+  /// set_input(input, value).
   Status set_input(int input, const Quadric& surface, double depth = 0.0);
   /// Sets an inertia input, see set_payload(). `payload` is written in the axes of
-  /// InputSpec::frame. Otherwise like set_input().
+  /// InputSpec::frame. All else is as in set_input(input, value).
   Status set_input(int input, const InertiaSpec& payload);
   /// Resets the input to InputSpec::value. For an inertia, removes the payload of its body, even if
   /// set_payload() has set it. Throws Error if the input does not exist.

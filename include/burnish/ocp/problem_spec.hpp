@@ -90,8 +90,8 @@ struct CostTerm {
   /// cone, or a centre of pressure with friction
   std::string friction_ratio_input = {};
   /// Name of the input whose surface replaces the surface of the residual's reference; empty: none
-  /// @more A residual without a curved reference needs a target position. The target position then
-  /// moves into the surface along the normal, by the depth of the input
+  /// @more If the reference follows no surface, the residual needs a target position. This position
+  /// then moves into the surface along the normal, by the depth of the input
   std::string surface_input = {};
 };
 
@@ -112,11 +112,11 @@ struct Constraint {
   /// @number_too
   Eigen::VectorXd upper = {};
   /// Characteristic size of each row, in its unit: one number, or one per row; empty: automatic
-  /// @more If both limits exist, the automatic size is half the distance between them. Otherwise it
-  /// is the robot's own limit of the quantity. For forces, it is the robot's weight. For torque
-  /// rates, it is torque limit times cut-off. For distances, it is the limit itself, if above zero.
-  /// For support margins, it is half the width of the polygon. If none of these exists, the size
-  /// must be stated @number_too
+  /// @more If both limits exist and differ, the automatic size is half their difference. Otherwise
+  /// it depends on the residual. For forces, it is the robot's weight. For torque rates, it is
+  /// torque limit times cut-off. For distances, it is the limit itself, if above zero. For support
+  /// margins, it is half the width of the polygon. For other residuals, it is the robot's own limit
+  /// of the quantity. If none of these exists, the size must be stated @number_too
   Eigen::VectorXd scale = {};
   /// L1 penalty weight of violations (infinite: hard), in cost per row unit, >= 0 or infinite
   /// @more A violation v at a knot costs l1_weight |v| + 1/2 quadratic_weight v^2. This cost is not
@@ -135,8 +135,8 @@ struct Constraint {
   /// cone, or a centre of pressure with friction
   std::string friction_ratio_input = {};
   /// Name of the input whose surface replaces the surface of the residual's reference; empty: none
-  /// @more A residual without a curved reference needs a target position. The target position then
-  /// moves into the surface along the normal, by the depth of the input
+  /// @more If the reference follows no surface, the residual needs a target position. This position
+  /// then moves into the surface along the normal, by the depth of the input
   std::string surface_input = {};
 };
 
@@ -160,8 +160,8 @@ struct TorqueModel {
   /// Discretization of the low-pass filter over one step.
   /// @described ocp
   enum class Discretization {
-    Exact,  ///< The torque error decays by exp(-cutoff step) over a step
-    Euler,  ///< The torque error decays by 1 - cutoff step over a step
+    Exact,  ///< A step multiplies the torque error u - tau by exp(-cutoff step)
+    Euler,  ///< A step multiplies the torque error u - tau by 1 - cutoff step
     Held,   ///< No filter: tau in the state is the control of the previous step, and the current
             ///< control acts on the robot
   };
@@ -237,10 +237,10 @@ struct ProblemSpec {
   ContactSolver contact_solver = {};
   ActuationSpec actuation = {};
   std::optional<TorqueModel> torque_model = {};
-  /// Names of contacts; the forces of these contacts in the previous step become part of the state
+  /// Names of contacts whose forces in the previous step become part of the state
   /// @more These forces are inputs of ContactForceRate, and do not act on the robot. There is one
-  /// entry per constrained direction, in the contact's own reference. The entry is zero if the
-  /// contact was not active
+  /// entry per constrained direction, in the contact's own reference frame. Entries of a contact
+  /// that was not active are zero
   std::vector<std::string> force_states = {};
   /// Lower bounds of the control in Nm (N): nu entries, or one for all; empty: none @number_too
   Eigen::VectorXd control_lower = {};
@@ -270,10 +270,10 @@ ProblemSpec with_loops(ProblemSpec spec);
 /// in for every contact with friction. A stated fade speed is not changed. Otherwise the fade speed
 /// is
 ///   max(0.01 m/s, 4 c N step / m),
-/// the largest over the stages in which the contact is active. In one step, friction changes the
-/// speed of the tool by c N step / m. Here c is the friction coefficient (0.3 if it is zero). N is
-/// the largest normal force in costs and constraints of the stage, or else the weight of the mass
-/// m. This mass is the smallest effective mass of the tool across the normal, at the initial state.
+/// the largest value over all stages in which the contact is active. In one step, friction changes
+/// the speed of the tool by c N step / m. Here c is the friction coefficient (0.3 if it is zero). N
+/// is the largest normal force in costs and constraints of the stage, or else the weight of m. The
+/// mass m is the smallest effective mass of the tool along the surface, at the initial state.
 ProblemSpec with_fade_speeds(ProblemSpec spec);
 
 /// Returns the duration of each knot of the horizon [s]; 0 at impacts. Throws Error if the horizon

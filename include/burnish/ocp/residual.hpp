@@ -75,8 +75,8 @@ struct JointTorqueRate {
   Signal target = {};                    ///< Target rates; None: zero
 };
 
-/// Position of a frame's origin minus the target, 3 rows, m, in the axes of the reference. The base
-/// of the reference must be the world, and the reference's origin must not be the frame itself.
+/// Position of a frame's origin minus the target, 3 rows, m, in the axes of the reference frame.
+/// The base of the reference must be the world, and the origin must not be the frame itself.
 /// With Reference.on, the axes of the reference follow a surface at the frame. The position is then
 /// measured from the origin of the frame in which the surface is fixed. The first two rows are
 /// along the surface's tangents.
@@ -91,10 +91,10 @@ struct FramePosition {
   Reference reference = Reference::world();
 };
 
-/// Distance of a frame's origin from the target, 1 row, m, along one or more axes of the reference.
-/// With three axes it is the distance from a point, with two axes from a line, with one axis from a
-/// plane. The base of the reference must be the world, and the reference's origin must not be the
-/// frame itself. For a distance d the row is sqrt(d^2 + (1e-6 m)^2), which is differentiable
+/// Distance of a frame's origin from the target, along one or more axes of the reference; 1 row
+/// [m]. With three axes it is the distance from a point, with two axes from a line, with one axis
+/// from a plane. The base of the reference must be the world, and the reference's origin must not
+/// be the frame itself. For a distance d the row is sqrt(d^2 + (1e-6 m)^2), which is differentiable
 /// everywhere. At d = 0 the derivative of the row is zero.
 /// @described residual
 struct FrameDistance {
@@ -119,11 +119,11 @@ struct FrameRotation {
   Reference reference = Reference::world();
 };
 
-/// Lead and tilt of an axis of a frame minus the target, 2 rows, rad. Lead is the inclination from
-/// the reference's z axis towards its x axis, atan2(e_x, e_z). Tilt is the inclination from the z
-/// axis towards the y axis, atan2(e_y, e_z). The vector e is the frame's axis, written in the
-/// reference. The base of the reference must be the world. Rotation about the frame's axis has no
-/// effect. With Reference.on, z is the normal of a surface.
+/// Lead and tilt of an axis e of a frame minus the target, 2 rows, rad. Here e is written in the
+/// reference frame. Lead is the inclination from the reference's z axis towards its x axis,
+/// atan2(e_x, e_z). Tilt is the inclination from the z axis towards the y axis, atan2(e_y, e_z).
+/// The base of the reference must be the world. Rotation about the axis e has no effect. With
+/// Reference.on, z is the normal of a surface.
 /// @described residual
 struct FrameInclination {
   std::string frame = {};  ///< @name_of frame @stated
@@ -153,7 +153,7 @@ struct FramePlacement {
 };
 
 /// Velocity of a frame in the world minus the target, 6 rows: 3 in m/s, 3 in rad/s. The velocity is
-/// written in the reference. The tool of the reference is the frame, and the base is the world.
+/// written in a reference frame, whose tool is the frame and whose base is the world.
 /// @described residual
 /// An empty target means zero.
 struct FrameVelocity {
@@ -162,8 +162,8 @@ struct FrameVelocity {
   Signal target = {};  ///< Target velocity; None: zero
 };
 
-/// Force of an active contact minus the target, N and Nm. In the contact's own reference, there is
-/// one row per constrained direction. In another reference, there are six rows.
+/// Force of an active contact minus the target, N and Nm. In the contact's own reference frame,
+/// there is one row per constrained direction. In another reference frame, there are six rows.
 /// @described residual
 /// An empty target means zero.
 struct ContactForce {
@@ -174,7 +174,7 @@ struct ContactForce {
 
 /// Rate of change of an active contact's force f, (f - f_before) / step, minus the target, N/s and
 /// Nm/s. f_before is the force of the previous step. There is one row per constrained direction, in
-/// the contact's own reference. The contact must be in the problem's list force_states.
+/// the contact's own reference frame. The contact must be in the problem's list force_states.
 /// @described residual
 /// An empty target means zero.
 struct ContactForceRate {
@@ -206,8 +206,8 @@ struct FrictionCone {
 
 /// Margins of the centre of pressure within a rectangle in the tool's axes, times the normal force
 /// f_z. There are 4 rows, Nm: half_x f_z + m_y, half_x f_z - m_y, half_y f_z + m_x and half_y f_z -
-/// m_x. The centre of pressure is c = (-m_y, m_x) / f_z. In the order of the rows, a row is zero if
-/// c is at the edge with the largest x, smallest x, smallest y or largest y. With friction there
+/// m_x. The centre of pressure is c = (-m_y, m_x) / f_z. These rows are zero if c is at the edge
+/// with the largest x, smallest x, smallest y and largest y, respectively. With friction, there
 /// are 8 more rows, Nm: the distances of the moment about the normal from the moments at which the
 /// corners slip. The first 4 of the 8 rows limit negative moments, the last 4 positive moments.
 /// Each corner has the coefficient `friction`. Default penalty: a barrier at 0.

@@ -26,7 +26,7 @@ struct StepError {
 };
 
 /// Result of check_steps(): the worst position error and the worst velocity error. Any error above
-/// its limit is worse than any error within its limit. Otherwise the larger error is worse.
+/// its limit is worse than any error within its limit; other errors are compared by size.
 /// @described ocp @result
 struct StepReport {
   /// Status ok, or the reason why the errors of `knot` cannot be computed

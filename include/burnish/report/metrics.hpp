@@ -81,7 +81,7 @@ struct Metrics {
   double estimate_rmse = 0.0;
   /// Fraction of the time without contact
   double without_contact = 0.0;
-  /// Largest normal force in the first 50 ms of contact in the run [N]
+  /// Largest normal force in the 50 ms after the first contact of the run [N]
   std::optional<double> impact_peak;
   /// Largest excess of the averaged force over the target force between the end of the force ramp
   /// and the start of the time window, at least 0 [N].

@@ -1,5 +1,5 @@
-// Robots as folders with a description file and a small settings file, which has postures and
-// variants.
+// Loading of robots. A robot's folder has a description file (URDF or MJCF), and a settings file
+// with postures and variants.
 #pragma once
 
 #include <filesystem>
@@ -69,8 +69,8 @@ struct RobotOverrides {
 ///  - the name of a robot that comes with the library (`talos`, `talos:right_arm`).
 ///
 /// Robots of the library are searched in the folders of robot_search_path(): $BURNISH_ROBOTS, then
-/// share/burnish/robots around the running program or library, then the folder where the library
-/// was built or installed.
+/// share/burnish/robots in a folder above the running program or library, then the folder where the
+/// library was built or installed.
 ///
 /// Throws Error with the file, the place in the file and the requirement. One Error lists all
 /// problems of a URDF file. Odd but usable content is reported in `warnings` of the result.

@@ -87,7 +87,8 @@ class ClosedLoop {
   /// Connects a plant and a controller, which must both outlive the loop. Throws Error
   /// - if the control period is not a multiple of the plant's step,
   /// - if controller and plant have different numbers of torques,
-  /// - if the controller reads the wrench on a touch that the plant's scene lacks,
+  /// - if the controller reads the wrench on a touch (tool or foot) that the plant's scene does not
+  ///   have, or a component of the wrench without a sensor,
   /// - if an option is out of range or a disturbance is invalid.
   ///
   /// The constructor does not apply the disturbances of model and scene. To apply them, create the

@@ -258,8 +258,8 @@ void check_disturbances(const Model& model, const Disturbances& disturbances);
 /// nothing is carried, the payload's mass is zero.
 Payload carried_payload(const Disturbances& disturbances);
 
-/// Returns the plant's model: `nominal` (the controller's model) with scaled masses, the payload
-/// and the joint friction of the disturbances. Joint friction of the disturbances, even if zero,
+/// Returns the plant's model. It is `nominal` (the controller's model) with three changes from
+/// `disturbances`: scaled masses, a payload, and joint friction. This joint friction, even if zero,
 /// replaces the friction of `nominal`. Throws Error for invalid disturbances (see
 /// check_disturbances()), and if the robot does not have the payload's frame.
 Model plant_model(const Model& nominal, const Disturbances& disturbances);

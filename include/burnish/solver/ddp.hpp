@@ -98,8 +98,8 @@ struct DdpSummary {
   double constraint_residual = 0.0;
   int active_constraints = 0;  ///< Number of active constraint rows
 
-  /// Number of hard rows that cannot be satisfied: their multiplier has reached the L1 penalty
-  /// weight
+  /// Number of hard rows that cannot be satisfied, because their multipliers have reached the L1
+  /// penalty weight
   int unsatisfiable_rows = 0;
   /// Violated rows, the worst first; empty unless the reason is Infeasible
   std::vector<RowPlace> conflict = {};

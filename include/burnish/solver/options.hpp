@@ -1,5 +1,4 @@
-// Options of a DdpSolver, and the progress that the solver reports. Comments of tolerances state
-// the inequality in which each tolerance is used.
+// Options of a DdpSolver, and the progress that the solver reports.
 #pragma once
 
 #include <functional>
@@ -94,7 +93,7 @@ struct LimitOptions {
   int interior_after = 8;
   /// L1 penalty weight of hard rows, in units of (curvature of the cost) / (scale of the row), > 0
   /// @more If rows remain violated at this weight, their squared violations are penalized instead,
-  /// at first with the same weight
+  /// at first with this weight
   double l1_weight = 1e4;
   /// Largest penalty weight of hard rows, >= 0
   /// @more The weight is raised until all limits are met, or until the solver finds that this is
@@ -128,8 +127,8 @@ struct DdpProgress {
   double seconds = 0.0;    ///< Time since the solve began [s]
 };
 
-/// Options of a DdpSolver. Texts of tolerances state the inequality in which each tolerance is
-/// used.
+/// Options of a DdpSolver. The description of each tolerance states the inequality that uses the
+/// tolerance.
 /// @described solver
 struct DdpOptions {
   StepUpdate update = StepUpdate::Rollout;
@@ -166,7 +165,7 @@ struct DdpOptions {
   LineSearch line_search = {};
   LimitOptions limits = {};
   Regularization regularization = {};
-  /// Function called after each iteration; False stops the solve, None and True continue
+  /// Function called after each iteration; the result False stops the solve, None and True continue
   /// @more Exceptions of the function reach the caller of solve()
   std::function<bool(const DdpProgress&)> callback = nullptr;
 

@@ -53,7 +53,8 @@ struct FreeHome {
   std::string posture;    ///< Name of the posture in the robot's settings
   double duration = 0.0;  ///< Duration of the move [s]
 };
-/// Returns the named postures from which check_home() finds no problem, the shortest move first.
+/// Returns the named postures from which check_home() finds no problem. Postures with a shorter
+/// motion to the task's start come first.
 /// The task's starting posture is left out. The list is empty if the robot stands on its feet or
 /// carries the surface, because such a task cannot have a home.
 std::vector<FreeHome> free_homes(const Task& task, const Setting& setting,

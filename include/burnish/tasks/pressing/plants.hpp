@@ -35,7 +35,8 @@ double plant_step(double control_period);
 /// s. If the callback returns false, the run stops.
 using RunProgress = std::function<bool(double time, double end)>;
 
-/// Computing times of a controller's ticks without the first tick, as wall-clock time [s].
+/// Statistics of the time that a controller needs for a tick, as wall-clock time [s]. The first
+/// tick does not count.
 struct TickTimes {
   int count = 0;  ///< Number of timed ticks; beyond a million ticks, only every nth tick is timed
   double period = 0.0;  ///< Time between two ticks [s]
