@@ -1,6 +1,6 @@
 // Table of the tasks that a task file can select with its key `task`. The command `burnish run`,
 // its help and its shell completion are made from this table. The types Task and RunSpec of an
-// entry select the overloads of the functions of the task, such as run_task().
+// entry select overloads such as run_task().
 #pragma once
 
 #include <string>

@@ -143,8 +143,8 @@ class Evaluation {
     add_forces("forward", ok, result);
   }
 
-  /// Adds the contact forces of the last evaluation, if the request wants forces from this kind of
-  /// evaluation.
+  /// Adds the contact forces to `result` if the request wants the forces of `evaluation`, which is
+  /// "forward" or "inverse".
   void add_forces(const char* evaluation, bool ok, Json& result) const {
     if (request_.forces_of != evaluation) return;
     result["forces"] = ok ? forces() : Json(nullptr);

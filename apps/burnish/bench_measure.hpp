@@ -23,7 +23,7 @@ struct BenchLine {
   std::string work;
   double median = 0.0, best = 0.0, p99 = 0.0;  ///< Durations over all repetitions [s].
   /// Ratio of the measured rate of multiply-adds to the core's peak rate; 0: unknown. The number of
-  /// multiply-adds is that of multiplications or of additions, whichever is larger.
+  /// multiply-adds is the larger of the numbers of multiplications and of additions.
   double peak_share = 0.0;
   /// Memory allocations per repetition; negative: not counted in this build.
   double allocations = 0.0;

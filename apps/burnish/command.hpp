@@ -14,8 +14,8 @@ inline constexpr int exit_ok = 0;
 inline constexpr int exit_failed = 1;  ///< A check failed, or an evaluation had a bad status.
 inline constexpr int exit_usage = 2;   ///< Invalid usage or input.
 
-/// Returns the result of work(). If work() throws an Error of one sentence without the name of the
-/// file, adds `file` in front of the message.
+/// Returns the result of work(). If work() throws an Error of one sentence that does not contain
+/// `file`, adds `file` in front of the message.
 template <class Work>
 auto named_by(const std::string& file, const Work& work) {
   try {

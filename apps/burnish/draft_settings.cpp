@@ -74,8 +74,7 @@ struct DraftInput {
     return *std::find_if(tree.joints.begin(), tree.joints.end(),
                          [&](const JointSpec& spec) { return spec.name == joint.name; });
   }
-  /// Calls use(joint) for each moving joint that has one coordinate and does not follow another
-  /// joint.
+  /// Calls use(joint) for each joint with one velocity entry that the draft does not lock.
   template <class Use>
   void each_free(const Use& use) const {
     for (const Joint& joint : robot.model.joints)
@@ -83,7 +82,7 @@ struct DraftInput {
   }
 };
 
-/// Returns text such as ", finger: 0.1": the values of those locked joints that cannot be at zero.
+/// Returns the values of locked joints whose range excludes zero, such as ", finger: 0.1".
 std::string held_values(const DraftInput& drafted) {
   std::string text;
   for (const JointSpec& joint : drafted.tree.joints)

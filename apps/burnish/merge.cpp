@@ -69,7 +69,7 @@ bool is_sweep(const std::string& folder) {
   return file && file->campaign.name == CampaignFile::sweep;
 }
 
-/// Merges shards of `burnish sweep` with the Python package burnish; does not return.
+/// Merges shards of `burnish sweep` by the Python package burnish; does not return.
 [[noreturn]] void merge_sweep(const MergeArguments& a) {
   if (a.force)
     throw Error(

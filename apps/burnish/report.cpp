@@ -54,8 +54,8 @@ void rename_entries(Json& list, std::string_view (*current)(std::string_view)) {
     }
 }
 
-/// Returns whether a run is of a task whose robot has no tool. Version 0.3 stated a frame as the
-/// tool of such robots.
+/// Returns whether a run is of a task whose robot has no tool. Files of version 0.3 state a tool
+/// frame for such robots too.
 bool is_without_tool(const Json& run) {
   const Json facts = run.value("facts", Json::array());
   return std::any_of(facts.begin(), facts.end(), [](const Json& fact) {

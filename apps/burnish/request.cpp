@@ -121,8 +121,8 @@ void read_contacts(const Reader& reader, const Eigen::VectorXd& q, EvalRequest& 
   }
 }
 
-/// Reads one reference, a list of references, or an object whose keys name references. Without
-/// keys, references are named after their contents.
+/// Reads one reference frame, a list of frames, or an object whose keys name frames. Without keys,
+/// reference frames are named after their contents.
 void read_forces_in(const Reader& reader, EvalRequest& request) {
   const auto add = [&](const std::string& own_name, const Reader& entry) {
     const Reference reference = files::read_reference(entry);

@@ -23,9 +23,9 @@ struct EvalRequest {
   ContactSolver solver;
   std::vector<EvalState> states;
   std::set<std::string> compute;
-  /// Which evaluation gives `forces`: "forward" or "inverse"; empty without forces.
+  /// Evaluation that gives `forces`: "forward" or "inverse"; empty without forces.
   std::string forces_of;
-  /// References in which forces are expressed, by name.
+  /// Reference frames in which forces are expressed, by name.
   std::vector<std::pair<std::string, Reference>> forces_in;
 };
 

@@ -38,8 +38,8 @@ struct CheckSubject {
   std::optional<SurfaceShape> surface = {};  ///< Surface that the only contact follows
 };
 
-/// Normal of the tilted reference. It is also the normal of each curved surface at the tool in the
-/// neutral posture.
+/// Normal of the report's tilted reference, and of each curved surface at the tool's position in
+/// the neutral posture.
 const Eigen::Vector3d tilted_normal(-0.4, 0.3, 0.8);
 
 /// Returns the contacts of each row of the report.
@@ -98,7 +98,7 @@ std::string gains_text(const ContactSpec& spec) {
   return kp + (kp.empty() || kd.empty() ? "" : ", ") + kd;
 }
 
-/// Joins the texts word(contact) of all contacts with " + ". Returns just one if all are equal.
+/// Joins the texts word(contact) of all contacts with " + ". If all texts are equal, returns one.
 std::string joined(const std::vector<ContactSpec>& contacts,
                    const std::function<std::string(const ContactSpec&)>& word) {
   const std::string first = word(contacts.front());
@@ -142,8 +142,8 @@ std::string singular_mass(const Model& model, std::uint64_t seed) {
 
 CheckRow check_row(const Model& model, const CheckOptions& options, const CheckSubject& checked,
                    bool forward, const TamperWithBlocks& tamper) {
-  // The contacts include the loops of the robot. Random postures do not close the loops, so their
-  // gains must be small.
+  // The contacts include the loops of the robot. Random postures do not close the loops, so the
+  // gains of the loops must be small.
   const std::vector<ContactSpec> contacts = with_loops(model, checked.contacts, {100.0, 20.0});
   CheckRow row = describe_row(checked);
   ContactDynamics dynamics(model, contacts);

@@ -141,7 +141,7 @@ class Blocks {
                        columns.units});
     if (!good_) blocks_.back().value.setConstant(std::numeric_limits<double>::quiet_NaN());
   }
-  /// Sets the values of all further blocks to NaN unless the status is Ok, so that they fail.
+  /// Sets the values of later blocks to NaN unless the status is Ok, so that these blocks fail.
   void require(Status status) { good_ = status == Status::Ok; }
   double q_step() const { return finer_ * smallest_difference; }
 

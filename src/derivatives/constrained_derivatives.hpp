@@ -1,4 +1,4 @@
-// Derivatives of a and lambda by q, v and tau, Proposition 1 of the paper, for any scalar.
+// Derivatives of a and lambda by q, v and tau (Proposition 1 in docs/theory.md), for any scalar.
 #pragma once
 
 #include <vector>

@@ -379,9 +379,9 @@ void ConstrainedDerivatives<S>::by_state(const ConstrainedDynamics<S>& dynamics,
       std::span<const int>(contact_rows_), 0, n_, 0, n_, StridedView<S>{out.data(), n_});
 }
 
-// Let n be the component of rho in the null space of G = J M^-1 J^T. J^T n is zero. The forces
-// lambda = G^+ (rho - n) are orthogonal to the null space. With Z = J M^-1, dlambda/dq is the
-// derivative at constant n and null space, plus two terms:
+// Let rho be the right-hand side of G lambda = rho with G = J M^-1 J^T, and n its component in the
+// null space of G. J^T n is zero. The forces lambda = G^+ (rho - n) are orthogonal to the null
+// space. With Z = J M^-1, dlambda/dq is the derivative at constant n and null space, plus terms:
 //   G^+ G^+ Z d(J^T n)/dq, and the null-space component of d(J y)/dq with y = Z^T G^+ lambda.
 // The rows of rhs_q are affine in lambda and a. Both terms are therefore computed from the
 // difference between shifted_ and rhs_q; shifted_ is rhs_q at changed lambda and a.

@@ -14,7 +14,7 @@ namespace burnish {
 template <class S>
 struct ContactAccelerations {
   Motion<S> a_base;  ///< Spatial acceleration of the base, without gravity
-  Motion<S> alpha;   ///< a_L + eta x nu
+  Motion<S> alpha;   ///< Contact acceleration a_L + eta x nu
   Vec3<S> gravity;   ///< Gravity [m/s^2]
 };
 

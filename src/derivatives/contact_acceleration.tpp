@@ -18,7 +18,7 @@ struct EntryMotion {
   Motion<S> dnu_dq;                ///< Derivative of nu in tool axes
   Motion<S> dalpha_dq, dalpha_dv;  ///< Derivatives of a_L in tool axes
   Motion<S> tool_rate;             ///< psi'_k if k moves the tool, else zero
-  Vec3<S> curved_turn;  ///< Part of w_axes due to a surface; valid if the axes follow one
+  Vec3<S> curved_turn;  ///< Part of w_axes due to a surface; valid if the axes follow a surface
 };
 
 /// Adds the rotation of axes that follow a surface.
@@ -29,8 +29,8 @@ BURNISH_INLINE void follow_surface(const ContactState<S>& state, EntryMotion<S>&
   m.xi = turning_at(state.p, m.tool.angular - m.w_axes);
 }
 
-/// Computes the motions of one entry. `two_bodies` is false if the base is the world and only the
-/// tool moves the reference; this skips terms that are zero.
+/// Computes the motions of one entry of v. `two_bodies` is false if the base is the world and only
+/// the tool moves the reference; then terms that are zero are skipped.
 template <bool two_bodies, class S>
 BURNISH_INLINE EntryMotion<S> entry_motion(
     const CompiledContact& contact, const ContactSupport& entry, const Kinematics<S>& kinematics,
@@ -103,7 +103,7 @@ inline bool xi_matters(const CompiledContact& contact) {
   const CompiledReference& reference = contact.reference;
   return reference.axes_body != contact.tool_body || reference.origin_body != contact.tool_body;
 }
-/// Returns false if eta is always zero.
+/// Returns false if eta is always zero, the twist in alpha = X (a_L + eta x nu).
 inline bool eta_matters(const CompiledContact& contact) {
   return contact.spec.acceleration == Acceleration::Classical ||
          (contact.spec.acceleration == Acceleration::TimeDerivative && xi_matters(contact));
@@ -150,8 +150,8 @@ BURNISH_INLINE TurningRates<S> turning_rates(const CompiledContact& contact,
   return {m.tool_rate.angular - axes_rate, -turned};
 }
 
-/// Returns the derivative by q_k of the pose error's components in the reference, as a motion at
-/// the reference's origin in world axes.
+/// Returns how the components of the pose error in the reference change with q_k. The derivative is
+/// a motion at the reference's origin, in world axes.
 template <class S>
 BURNISH_INLINE Motion<S> error_derivative(const CompiledContact& contact,
                                           const ContactState<S>& state,
@@ -346,9 +346,9 @@ void subtract_turning_axes(const CompiledContact& contact, const Kinematics<S>& 
   }
 }
 
-/// Subtracts the term for any contact: dW_k - S_k x* W, where W is the wrench in world axes. W
-/// moves with the reference, and dW_k is its derivative. The sweep of inverse dynamics used the
-/// derivative of a wrench that moves with the body, S_k x* W.
+/// Subtracts the term for any contact: dW_k - S_k x* W. W is the wrench in world axes, which moves
+/// with the reference, and dW_k is the derivative of W by q_k. The sweep of inverse dynamics used
+/// S_k x* W instead, the derivative of a wrench that moves with the body.
 template <class S>
 void subtract_general_transport(const CompiledContact& contact, const Kinematics<S>& kinematics,
                                 const ContactState<S>& state, S* dtau_dq, int stride) {

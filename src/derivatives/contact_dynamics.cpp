@@ -436,7 +436,7 @@ void ContactDynamics::wrench_derivatives(int contact, const Reference& reference
   const CompiledReference requested = compile_reference(impl_->model, reference, compiled);
   const auto pose = reference_pose(requested, kinematics);
   wrench_entries(impl_->dynamics.tree(), compiled, requested, impl_->entries);
-  // Returns the world wrench of a change of lambda, given by column k of the stacked derivatives.
+  // Returns the world wrench that belongs to the derivative of lambda in column k of `stacked`.
   const auto change = [&](const std::vector<double>& stacked, int k) {
     double column[6];
     for (std::size_t r = 0; r < compiled.directions.size(); ++r)

@@ -128,7 +128,7 @@ struct ContactDynamicsBatch::Impl {
     }
   }
 
-  /// Writes the causes of a failure to `out`, one for each entry of v, then one for each row. 0: no
+  /// Writes the causes of a failure to `out`, as a code per entry of v, then a code per row. 0: no
   /// cause; 1: the entry moves no mass, or the row is dependent; 2: the row is the normal of a tool
   /// that jams.
   void record_causes(const ConstrainedDynamics<NativePack>& dynamics, int lane, char* out) const {

@@ -23,8 +23,8 @@ ContactDiagnosis diagnose_rows(const ContactSet& set, const ContactRows& rows,
                                const std::vector<int>& active, double tolerance);
 
 /// Returns the condition number of J M^-1 J^T, with each row scaled to the length min(1,
-/// sqrt(relative_size)). The number is large also if the joints hardly move along a row. It is
-/// infinite for redundant rows, and 1 if there are no rows.
+/// sqrt(relative_size)). The condition number is large also if the joints hardly move along a row.
+/// It is infinite for redundant rows, and 1 if there are no rows.
 double condition_by_reach(const ContactSet& set, const ContactRows& rows);
 
 }  // namespace burnish

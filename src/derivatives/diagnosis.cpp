@@ -57,7 +57,7 @@ struct OrthogonalRows {
   }
 };
 
-/// Returns the condition number of Y Y^T for scaled rows, with a largest eigenvalue of at least 1.
+/// Returns the condition number of Y Y^T for scaled rows. A largest eigenvalue below 1 counts as 1.
 double condition_of(const Eigen::MatrixXd& Y) {
   const Eigen::VectorXd values = symmetric_eigen(Y * Y.transpose()).values;
   return std::max(1.0, values.maxCoeff()) / values.minCoeff();

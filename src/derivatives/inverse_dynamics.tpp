@@ -27,9 +27,9 @@ void inverse_dynamics_derivatives(const Tree& tree, const Kinematics<S>& kinemat
     for (int k = joint.axis; k < joint.axis + joint.nv; ++k) {
       const AxisState<S>& axis = kinematics.axes[k];
       const Motion<S>& psi_ddot = id.axis_acc[k];
-      // Column k, rows of the axes j above. dtau/dq: S_j . (I psi'' + 2 B psi' [+ S_k x* f]);
-      // dtau/dv: S_j . (I (psi' + S') + 2 B S_k). Row k, columns j: S_k . (the same terms with the
-      // rates of j, without S_k x* f).
+      // Entry (j, k), for axes j above k: dtau/dq is S_j . (I psi''_k + 2 B psi'_k [+ S_k x* f]),
+      // dtau/dv is S_j . (I (psi'_k + S'_k) + 2 B S_k). Entry (k, j): the formulas with j and k
+      // exchanged, without S_k x* f.
       Force<S> by_q = B * (axis.parent_rate * two) + I * psi_ddot;
       const Force<S> by_v = B * (axis.axis * two) + I * axis.rate_sum;
       const Force<S> momentum = I * axis.axis;

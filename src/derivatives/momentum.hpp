@@ -4,7 +4,7 @@
 //   dh/dv_k = I^C S_k,           dh/dq_k = S_k x* h^C + I^C psi'_k,
 //   dT/dv_k = S_k . h^C,         dT/dq_k = psi'_k . h^C,
 //   dc/dq_k = (I^C S_k)_linear / mass,   dV/dq_k = -gravity . (I^C S_k)_linear.
-// A motion along S_k carries the inertias of the subtree along and changes its twists by
+// A motion along S_k moves the inertias of the subtree, and changes the twists of its bodies by
 // S_k x v + psi'_k (Singh, Russell, Wensing 2022). The part S_k x v does not change v . h.
 #pragma once
 

@@ -144,8 +144,8 @@ struct RigidBody::Impl {
   Tree tree;
   PassiveJoints passive;
   std::vector<CompiledFrame> frames;
-  std::vector<double> slopes;        ///< Derivatives of spring torques by q, one per place
-  RowMatrix passive_dq, passive_dv;  ///< Nonzero only at places of springs and on the diagonal
+  std::vector<double> slopes;        ///< Derivatives of spring torques by q, at `springs.places`
+  RowMatrix passive_dq, passive_dv;  ///< Nonzero only at `springs.places` and on the diagonal
   Eigen::VectorXd q, v, a, at_rest;
   Eigen::VectorXd gravity, friction, friction_dv;
   Kinematics<double> kinematics;

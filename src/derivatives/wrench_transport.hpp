@@ -11,8 +11,8 @@ namespace burnish {
 struct WrenchEntry {
   int v;
   ReferenceAxes own,
-      requested;  ///< Axes that move the contact's reference and the requested one
-  /// Axes that move tool and base. Both are -1 unless the contact's reference follows a surface or
+      requested;  ///< Axes that move the contact's reference, and the requested reference
+  /// Axes that move tool and base. Each is -1 unless the contact's reference follows a surface or
   /// the contact has friction.
   int tool_axis = -1, base_axis = -1;
 };
@@ -27,7 +27,7 @@ void wrench_entries(const Tree& tree, const CompiledContact& contact,
 ///
 /// The wrench W of lambda moves with the contact's reference. If V_k is the twist of that reference
 /// per unit rate of the entry, the derivative of W is V_k x* W. The derivative of friction is
-/// added. Both are then converted to derivatives relative to the requested reference.
+/// added. The sum is then converted to the derivative relative to the requested reference.
 template <class S>
 Force<S> wrench_rate(const CompiledContact& contact, const ReferencePose<S>& pose,
                      const WrenchEntry& entry, const ContactState<S>& state,

@@ -15,11 +15,11 @@ int lags_of(const Regression& of) {
   return std::min(static_cast<int>(std::ceil(lag_windows * of.samples_per_window)), of.samples / 4);
 }
 
-/// Returns M. Bartlett's weight of a lag in such sums, which falls linearly with the lag.
+/// Returns M. Bartlett's weight of a lag in sums over lags, which falls linearly with the lag.
 double lag_weight(int lag, int lags) { return 1.0 - static_cast<double>(lag) / (lags + 1); }
 
-/// Returns the factor by which standard deviations grow because the sum over lags that gives them
-/// is itself an estimate. It is a critical value (99 %) of N. Kiefer and T. Vogelsang, "A New
+/// Returns the factor that enlarges standard deviations, because they come from sums over lags that
+/// are estimates. The factor is a critical value (99 %) of N. Kiefer and T. Vogelsang, "A New
 /// Asymptotic Theory for Heteroskedasticity-Autocorrelation Robust Tests" (2005), divided by the
 /// same critical value of a normal distribution.
 double enlargement(double lags_per_sample) {
@@ -106,8 +106,8 @@ bool minimize(const Regression& of, const Eigen::VectorXd& weight, Eigen::Vector
 
 /// Returns the covariance of the estimate, B (A^T W R W A + P^-1) B with B = (A^T W A + P^-1)^-1,
 /// where A is the derivative, W the weight and P the covariance of the prior. R is the covariance
-/// of noise that is correlated between torques and over time like the residuals (W. Newey, K. West,
-/// 1987, with one autocovariance for all samples).
+/// of the noise. Like the residuals, the noise is correlated between torques and over time
+/// (W. Newey, K. West, 1987, with one autocovariance for all samples).
 Eigen::MatrixXd covariance_of(const Regression& of, const Eigen::VectorXd& x,
                               const Eigen::VectorXd& weight) {
   const Eigen::VectorXd residual = of.residual(x);

@@ -8,10 +8,10 @@
 namespace burnish::identify_detail {
 namespace {
 
-/// A fault is convincing if it reduces the squared residual beyond noise to less than this fraction
+/// A fault is convincing if it reduces the squared residual minus noise to less than this fraction
 /// (the rms to a fifth). Effects that no fault describes, such as friction, remain in the residual.
 constexpr double convincing = 1.0 / 25.0;
-/// A mild fault, which does not reject the record, must reduce the squared residual beyond noise to
+/// A mild fault, which does not reject the record, must reduce the squared residual minus noise to
 /// less than this fraction (the rms to a half).
 constexpr double worth_a_hint = 1.0 / 4.0;
 /// A later fault must reduce the squared residual to less than this fraction of the squared
@@ -28,7 +28,7 @@ FaultSearch::FaultSearch(const Model& model, const MotionRecord& record, const W
       unknowns_(unknowns),
       spec_(spec),
       base_(regression(model, record, spec)) {
-  // Divides each torque by its rms; a torque whose rms is small beside the largest counts little.
+  // Divides each torque by its rms. A torque with an rms far below the largest rms counts little.
   constexpr double min_fraction = 0.02;
   const Eigen::Map<const RowMatrix> torques(base_.measured.data(), base_.samples, base_.nv);
   const Eigen::VectorXd size =
@@ -60,7 +60,7 @@ std::optional<Fault> FaultSearch::best(const Eigen::VectorXd& x, const Eigen::Ve
   return best_;
 }
 
-/// Tries negative and impossible masses. If they fit, the robot is lighter than its model.
+/// Tries negative and impossible masses. They explain the record of a robot lighter than its model.
 void FaultSearch::try_negative_mass() {
   const double as_it_is = left(rows(base_), &solution_);
   const double mass = solution_[0];

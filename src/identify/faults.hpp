@@ -65,7 +65,7 @@ class FaultSearch {
   Regression with_positions(const Change& change) const;
   /// Returns `rows` (samples x nv) after `change` of the columns.
   Eigen::VectorXd with_torques(const Eigen::VectorXd& rows, const Change& change) const;
-  /// Returns the rows of the regression if `change` were made to the torques.
+  /// Returns the rows that the regression would have after `change` of the torques.
   Rows rows_with_torques(const Regression& of, const Change& change) const;
   Eigen::VectorXd shifted_torque(int joint, Eigen::Index by) const;
 

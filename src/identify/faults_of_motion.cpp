@@ -75,7 +75,7 @@ void FaultSearch::try_gravity() {
              squares);
 }
 
-/// Tries a change of the masses at one of several instants.
+/// Tries a single change of the masses, at each of several instants.
 void FaultSearch::try_payload_change() {
   constexpr int places = 20;
   const Rows plain = rows(base_);

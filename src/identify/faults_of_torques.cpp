@@ -162,7 +162,7 @@ void FaultSearch::try_lags() {
   }
 }
 
-/// Omits one torque at a time. If all others fit, the omitted column has a fault of unknown kind.
+/// Omits one torque at a time. If the other torques fit the motion, the omitted column has a fault.
 void FaultSearch::try_single_torques() {
   const Eigen::VectorXd weight = weight_;
   for (int k = 0; k < base_.nv; ++k) {

@@ -6,7 +6,7 @@
 namespace burnish::identify_detail {
 namespace {
 
-/// Returns the matrix U of the pseudo-inertia J = U U^T without its factor e^alpha.
+/// Returns U without its factor e^alpha, where U U^T is the pseudo-inertia.
 Eigen::Matrix4d root(const Vector10& eta) {
   Eigen::Matrix4d V = Eigen::Matrix4d::Identity();
   for (int i = 0; i < 3; ++i) V(i, i) = std::exp(eta[1 + i]);

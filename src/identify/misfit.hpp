@@ -6,8 +6,8 @@
 
 namespace burnish::identify_detail {
 
-/// Returns the weights of the record's samples in one row of the regression. `order` is the order
-/// of the derivative.
+/// Returns the weights of the record's samples in one row of the regression, for signals that enter
+/// it as time derivatives of this order.
 Eigen::VectorXd kernel(const Windows& windows, int order);
 
 /// A record and its regressions.

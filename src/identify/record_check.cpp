@@ -253,8 +253,8 @@ std::vector<std::string> beyond_limits(const Model& model, const MotionRecord& r
   // Usual difference between calibrations; chosen by hand [rad, m]
   constexpr double position_slack = 0.02;
   // Accepted multiples of the limits. Noise exceeds torque limits. A swinging light wrist exceeds
-  // speed limits: UR10 by a factor of 2.1 in an excitation with a payload that its controller did
-  // not model.
+  // speed limits: the wrist of a UR10 reached 2.1 times its limit in an excitation with a payload
+  // that its controller did not model.
   constexpr double torque_slack = 1.25, speed_slack = 3.0;
   Excess position, speed, torque;
   for (const Joint& joint : model.joints) {

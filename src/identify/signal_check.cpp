@@ -11,7 +11,7 @@ namespace burnish::identify_detail {
 namespace {
 
 constexpr double deviations = 8.0;       // Robust standard deviations that a sudden step exceeds
-constexpr double of_usual_steps = 2.0;   // Factor of the 95th percentile of steps, added to this
+constexpr double of_usual_steps = 2.0;   // Factor on the 95th percentile; see sudden_steps()
 constexpr double mad_to_sigma = 1.4826;  // For a normal distribution
 constexpr Eigen::Index max_outlier = 5;  // [samples]
 

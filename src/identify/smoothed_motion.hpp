@@ -1,5 +1,5 @@
-// Smoothed record: positions, velocities, accelerations and torques at instants that are much
-// closer than a window.
+// Smoothed record: positions, velocities, accelerations and torques at instants whose distances are
+// much smaller than a window.
 #pragma once
 
 #include "burnish/identify/identification.hpp"

@@ -25,7 +25,7 @@ class Smoother {
 };
 
 /// Returns the weights of a mean over 2 half + 1 samples: a cosine to the fourth power. The mean
-/// passes frequencies well below 1 / window and less than a thousandth above 4 / window.
+/// passes frequencies well below 1 / window. Above 4 / window, it passes less than a thousandth.
 Eigen::VectorXd bell(int half);
 
 }  // namespace burnish::identify_detail

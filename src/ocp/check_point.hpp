@@ -25,8 +25,8 @@ class CheckPoint {
   /// jump.
   bool near_half_turn() const;
 
-  /// Each of these functions returns one block each for the derivatives by u, q, v, tau and the
-  /// force states. next_state() must not be called at the terminal knot.
+  /// Each of these functions returns a block of derivatives for each of u, q, v, tau and the force
+  /// states. next_state() must not be called at the terminal knot.
   std::vector<DerivativeBlock> next_state();
   std::vector<DerivativeBlock> residual(int term);
   /// cost() and all_costs() return an empty list if a residual is close to a breakpoint of its

@@ -283,8 +283,8 @@ struct ResidualCompiler : TermBuilder {
     dense_block(term.rows, all_columns());
   }
 
-  /// Refuses a contact that does not hold the direction `normal` (0 to 2), or that does not hold
-  /// two or more of the directions `wanted`. The force along a direction that is not held is zero.
+  /// Refuses a contact that does not hold the direction `normal` (0 to 2), or that lacks more than
+  /// one of the directions `wanted`. The force along a direction that is not held is zero.
   void require_directions(int c, Directions wanted, int normal) const {
     const Directions held = problem.contacts.contacts()[c].spec.directions;
     const Directions both{static_cast<std::uint8_t>(held.bits & wanted.bits)};

@@ -4,7 +4,7 @@
 // FrameDistance and ConeMargin also offer the curvature of their first row (RowCurvature):
 //   curvature_rows(), curvature_sign and evaluate(knot, target, r, J, curvatures). Unless null,
 //   `curvatures` receives vectors b with as many columns as J. The second derivative of the row is
-//   about curvature_sign sum b^T b.
+//   approximately the sum of curvature_sign b^T b.
 #pragma once
 
 #include <optional>

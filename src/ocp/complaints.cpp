@@ -127,7 +127,7 @@ void about_initial_state(const Problem& problem, std::vector<std::string>& sente
 }
 
 /// Static balance M u = c between the controls u and the load c, projected onto the null space of
-/// the contact Jacobian. Contact forces do not appear in it.
+/// the contact Jacobian. This projection removes the contact forces.
 struct Balance {
   Eigen::MatrixXd M;
   Eigen::VectorXd c;

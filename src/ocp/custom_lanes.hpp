@@ -53,7 +53,7 @@ class CustomLanes {
 
  private:
   void differences(const CompiledStage& stage, const CustomResidual& residual, double time);
-  /// Evaluates the residual after a change of entry z by `by`.
+  /// Evaluates the residual after entry `z` of (u, dx) has changed by `by`.
   void moved_value(const CompiledStage& stage, const CustomResidual& residual, double time, int z,
                    double by, Eigen::VectorXd& out);
 

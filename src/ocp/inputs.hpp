@@ -46,8 +46,8 @@ struct InputState {
 };
 
 /// Writes the value of an input at `time` [s], without the decaying part; zeros if the input has no
-/// value. Writes NaN if a value over time is a rotation that is not of length 1, or a negative
-/// friction.
+/// value. Writes NaN for an invalid value at this time: a quaternion whose length is not 1, or a
+/// negative coefficient of friction.
 void evaluate_value(const InputState& state, double time, double* out);
 
 /// Inputs of a problem. Values at the knots are kept by the problem.

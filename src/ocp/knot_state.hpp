@@ -18,7 +18,7 @@ Mat3<S> rotation_of(const S* entries) {
 
 /// Number of target entries of a surface: xx, xy, xz, yy, yz and zz of Q, then b (3) and c.
 constexpr int surface_size = 10;
-/// Returns the surface in ten target entries, without c.
+/// Reads a surface from its target entries. Omits c, which the result does not need.
 template <class S>
 CurvedSurface<S> surface_of(const S* n) {
   return {{{n[0], n[1], n[2]}, {n[1], n[3], n[4]}, {n[2], n[4], n[5]}}, {n[6], n[7], n[8]}};

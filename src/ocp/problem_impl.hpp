@@ -74,7 +74,7 @@ struct Problem::Impl {
   /// Returns an input. Throws Error("<call>: ...") if it does not exist. Also throws Error if its
   /// kind is not one of `kinds`, unless `kinds` is empty.
   ocp::InputState& input(const char* call, int index, std::initializer_list<InputKind> kinds);
-  /// Applies a value that was written to an input to the targets or the torque bias.
+  /// Updates the targets or the torque bias after a new value of an input.
   void accept_input(int index);
   /// Sets the torque bias to the value of its input.
   void load_bias(const ocp::InputState& state);

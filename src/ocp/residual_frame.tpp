@@ -23,8 +23,8 @@ void store(const Motion<S>& m, S* out) {
   store(m.angular, out + 3);
 }
 
-/// Copies those columns of `full` (nv columns) that belong to `entries` of v to J (`columns`
-/// columns), from column `first` of J on.
+/// Copies the columns of the given `entries` of v from `full` into J, side by side from column
+/// `first` of J on. `full` has nv columns and J has `columns` columns.
 template <class S, class Entry>
 void keep_columns(const S* full, int rows, int nv, const std::vector<Entry>& entries, S* J,
                   int columns, int first) {

@@ -13,7 +13,7 @@ namespace burnish::ocp {
 ///  - for fewer than three points,
 ///  - for a point that is not finite,
 ///  - if the points are not the corners of a convex polygon, counter-clockwise as seen from above.
-///    Every point must be more than 1e-6 m to the left of every edge that does not end in it.
+///    Every point must be more than 1e-6 m to the left of each edge of which it is not an end.
 std::vector<SupportMargin::Edge> support_edges(const std::vector<Eigen::Vector2d>& points);
 
 }  // namespace burnish::ocp

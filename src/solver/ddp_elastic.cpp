@@ -30,7 +30,7 @@ constexpr int still_patience = 8;
 
 }  // namespace
 
-/// Switches to elastic mode. Returns false if the mode is on, its weight too large, or no row hard.
+/// Begins elastic mode. Returns false if it is on, its weight is too large, or no row is hard.
 bool DdpSolver::Impl::become_elastic() {
   if (elastic.on || elastic.weight > options.limits.max_l1_weight) return false;
   bool has_hard_row = false;
@@ -40,8 +40,8 @@ bool DdpSolver::Impl::become_elastic() {
   if (!has_hard_row) return false;
   elastic.on = true;
   limited_before = false;
-  // Elastic mode drops the multipliers of rows, and with them the multipliers of control bounds,
-  // which balanced them.
+  // Elastic mode drops the multipliers of rows. It also drops the multipliers of control bounds,
+  // which balanced the multipliers of rows.
   for (int k = 0; k < N; ++k)
     std::fill_n(row_views[to_size(k)].multiplier, controls[to_size(k)], 0.0);
   return true;
@@ -152,8 +152,8 @@ void DdpSolver::Impl::close_gaps() {
   best_is_current = true;
 }
 
-/// Lists the violated rows, and the active rows that prevent their violations from decreasing:
-/// those whose scaled multiplier is at least one hundredth of the largest one.
+/// Lists the violated rows, and the active rows that keep the violations from decreasing. An active
+/// row does so if its scaled multiplier is at least one hundredth of the largest one.
 void DdpSolver::Impl::note_conflict() {
   constexpr double min_fraction = 0.01;
   const auto violation = [&](const RowPlace& place) {

@@ -162,8 +162,8 @@ void DdpSolver::Impl::set_row_limits() {
   });
 }
 
-/// Returns the unit of the rows' weights: the mean curvature of the cost along the controls, each
-/// in units of its scale.
+/// Returns the unit of the rows' weights: the mean curvature of the cost along the controls, with
+/// each control in units of its scale.
 double DdpSolver::Impl::curvature_unit() const {
   double sum = 0.0;
   int count = 0;

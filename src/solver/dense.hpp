@@ -20,7 +20,7 @@ namespace burnish::dense {
 
 using Lane = NativePack;
 inline constexpr int lanes = native_lanes;
-/// Entries by which a buffer must be longer than its last row.
+/// Number of entries that a buffer needs after its last row.
 inline constexpr int spare = lanes;
 
 /// Entries of a buffer for `rows` rows that are `stride` apart.

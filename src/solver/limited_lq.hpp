@@ -25,7 +25,7 @@ struct LqHorizon {
   std::span<const KnotExpansion> expansions;
   std::span<const int> controls;  ///< Number of controls of each knot; 0 at N
   std::span<const int> rows;      ///< Number of rows with coefficients, of each knot
-  const double* gaps = nullptr;   ///< Gap before each knot's dx; gap_stride apart
+  const double* gaps = nullptr;   ///< Gaps before each knot's dx, gap_stride entries apart
   double* hessian_gaps = nullptr;
   int gap_stride = 0;
   std::span<const ValueStorage> values;

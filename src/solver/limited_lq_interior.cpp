@@ -203,8 +203,8 @@ double LimitedLq::advance_interior(const LqHorizon& h, RiccatiRecursion& recursi
 
 /// Makes steps until products and residuals are small, then until the pieces no longer change. If
 /// the pieces keep changing, takes the step with the fewest changes.
-/// Returns Short if several consecutive steps are short, because violations started far below their
-/// final values. A second start with the actual violations can then help.
+/// Returns Short after several consecutive short steps. Steps are short if violations started far
+/// below their final values; then a second start with the actual violations can help.
 LimitedLq::Steps LimitedLq::interior_steps(const LqHorizon& h, RiccatiRecursion& recursion,
                                            bool infeasible, LimitedLqResult& result) {
   double begun = 0.0, left = 1.0;

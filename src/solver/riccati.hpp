@@ -6,9 +6,9 @@
 //   w = vx' + Vxx' gap,   Q = H + F^T Vxx' F,   q = h + F^T w,
 //   du = k + K dx minimises 1/2 z^T Q z + q^T z  (within bounds, if given),
 //   Vxx = Qxx - L^T L,  vx = qx - L^T l,  R^T R = Quu,  L = R^-T Qux,  l = R^-T qu.
-// SecondOrder dynamics are F = T P + E. P gives dv' = P z, T: dv' -> dx' = (step B; 1; 0) maps it
-// to dx', and E holds the parts of z that pass through. With V = Vxx', U = V T, W = T^T U and
-// M = U^T E, only P, which has nv rows, enters dense products:
+// SecondOrder dynamics are F = T P + E. P gives dv' = P z, T = (step B; 1; 0) maps dv' to dx', and
+// E holds the parts of z that pass through. With V = Vxx', U = V T, W = T^T U and M = U^T E, only
+// P, which has nv rows, enters dense products:
 // F^T V F = P^T (W P + M) + M^T P + E^T V E.
 //
 // A thread team shares one knot: each worker computes some columns of Y and G, some rows of Qxx and
@@ -123,8 +123,8 @@ class RiccatiRecursion {
   /// QP, and the gains of clamped controls are zero.
   ///
   /// Every worker of a team calls step() with identical arguments except its own `team`, and may
-  /// then call it for the knot before. Every worker's result contains failed_control; only the
-  /// leader's result contains the other fields.
+  /// then call step() for the preceding knot. Every worker's result contains failed_control; only
+  /// the leader's result contains the other fields.
   RiccatiStep step(const RiccatiKnot& at, const RiccatiTerms& terms, const ThreadTeam& team = {});
 
   /// Returns the factor of the last step. Valid only if the step had no bounds and one worker.

@@ -24,8 +24,8 @@ struct RowArrays {
   const double* multiplier;
 };
 
-/// L1 weights of at least this size are infinite: no violation is accepted. Used for rows that can
-/// always be satisfied, the bounds on controls.
+/// L1 weights of at least this size are infinite: no violation is accepted. Used for the bounds on
+/// controls, which can always be satisfied.
 inline constexpr double infinite_l1_weight = 1e100;
 
 inline dense::Lane larger(const dense::Lane& a, const dense::Lane& b) {

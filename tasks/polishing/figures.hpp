@@ -1,4 +1,4 @@
-// Tables of the metrics of a polishing run: its verdict, and a resting hand. report/figures.hpp
+// Tables of metrics of a polishing run, for its verdict and for a resting hand. report/figures.hpp
 // describes such tables.
 #pragma once
 
@@ -11,7 +11,7 @@ using pressing::each_tick_figure;
 
 /// Calls see(entry, member, limit, is_lower) for each metric of a verdict. `limit` is the limit of
 /// the task, and `is_lower` is true for a lower limit. Full names begin with "verdict.". The limit
-/// of the force error is a fraction of the force.
+/// of the force error is a fraction of the target force.
 template <class See>
 void each_verdict_figure(const See& see) {
   using V = VerdictFigures;
@@ -26,8 +26,8 @@ void each_verdict_figure(const See& see) {
       &V::path_share, &Verdict::path_share, true);
 }
 
-/// Calls see(entry, member) for each figure of a resting hand. The full name of a figure is "rest."
-/// followed by the name of its entry.
+/// Calls see(entry, member) for each statistic of a resting hand. The full name of a statistic is
+/// "rest." followed by the name of its entry.
 template <class See>
 void each_rest_figure(const See& see) {
   using R = RestFigures;

@@ -36,7 +36,7 @@ std::optional<Loops> loops_of(const Task& task, const Setting& setting, const Lo
   }
 }
 
-/// Returns the gain range with the smallest margin above (or below), in free air or in contact.
+/// Returns the gain range with the smallest upper (or lower) margin, in free air or in contact.
 GainRange narrowest(const TaskMargins& margins, bool above) {
   std::vector<GainRange> all = margins.air.gains;
   all.insert(all.end(), margins.contact.gains.begin(), margins.contact.gains.end());

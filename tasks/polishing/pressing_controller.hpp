@@ -1,5 +1,5 @@
-// Controller that computes a plan at every tick, to measure the computing time of ticks. Its
-// measurements are those of a robot at rest that presses.
+// Controller that computes a plan at every tick, to measure the computing time of ticks. Every tick
+// receives the measurements of a robot at rest that presses.
 #pragma once
 
 #include <string>
@@ -14,8 +14,7 @@ namespace burnish::polishing {
 class PressingController {
  public:
   /// Creates a controller for `problem`, made by polishing::reference_problem() with `tool`. It
-  /// plans at 1 kHz; target and measured force are 30 N. Of `threads`, only the thread options are
-  /// used.
+  /// plans at 1 kHz; target and measured force are 30 N. Uses only the thread options of `threads`.
   PressingController(const ProblemSpec& problem, const std::string& tool,
                      const DdpOptions& threads = {})
       : controller_(spec(problem, tool, threads)) {

@@ -27,8 +27,8 @@ int body_of(const Model& model, const std::string& frame) {
   return model.has_frame(frame) ? model.frames[to_size(model.frame_index(frame))].body : -1;
 }
 
-/// Throws EntryError if the hand is on the link of another frame of the task. `key`: key of this
-/// frame.
+/// Throws EntryError if the hand is on the same link as `frame`, another frame of the task. `key`:
+/// key of `frame` in task files.
 void refuse_same_link(const RestingHand& rest, const Model& model, const std::string& key,
                       const std::string& frame) {
   if (frame.empty() || body_of(model, frame) != body_of(model, rest.frame)) return;

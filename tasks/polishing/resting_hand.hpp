@@ -8,7 +8,7 @@
 
 namespace burnish::polishing {
 
-/// Throws EntryError if the resting hand does not fit to the robot or to the rest of the task.
+/// Throws EntryError if the resting hand is inconsistent with the robot or with other keys.
 void check_rest(const Task& task, const Model& model);
 
 /// Returns the hand as a support. Its plane touches the hand in the configuration q (nq), and is

@@ -128,7 +128,7 @@ void judge(const RunSpec& spec, const pressing::RunEnd& end, const Watch& watch,
                                    seen_from_surface(result.trace, buffer), begin, last);
 }
 
-/// Computes the statistics of a resting hand on the path. The figures of standing are computed
+/// Computes the statistics of a resting hand on the path. Computes the statistics of standing
 /// again, for the feet alone.
 void measure_rest(const RunSpec& spec, const pressing::RunEnd& end, const Watch& watch,
                   RunResult& result) {

@@ -101,8 +101,8 @@ struct Builder {
       f[0] = task_point(task, setting, *path, t).force;
     });
   }
-  /// Returns the reference with these axes, fixed in the frame that carries the surface; in the
-  /// world if no frame carries it.
+  /// Returns the reference frame with these axes, fixed in the frame that carries the surface; in
+  /// the world if no frame carries it.
   Reference on_surface(const Eigen::Matrix3d& axes) const {
     const Anchor of = carrier(task);
     return {of, of, axes};

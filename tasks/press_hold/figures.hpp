@@ -7,7 +7,7 @@
 
 namespace burnish::press_hold {
 
-/// Calls see(entry, member) for each figure of the hold. The full name of a figure is "hold."
+/// Calls see(entry, member) for each statistic of the hold. The full name of a statistic is "hold."
 /// followed by the name of its entry.
 template <class See>
 void each_hold_figure(const See& see) {

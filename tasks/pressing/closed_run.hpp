@@ -32,7 +32,7 @@ struct ClosedRun {
   RunProgress progress = {};
 };
 
-/// Returns the pushes, with a frame added to each push that states none: the frame of the tip or,
+/// Returns the pushes, and adds a frame to each push without a frame: the frame of the tip or,
 /// without a tool, the frame of the floating base.
 std::vector<Push> with_frames(std::vector<Push> pushes, const Model& model, const SceneSpec& scene);
 

@@ -1,5 +1,5 @@
-// Table of the figures (statistics) of the computing times of a controller's ticks;
-// report/figures.hpp describes such tables.
+// Table of the statistics of the computing times of a controller's ticks; report/figures.hpp
+// describes such tables.
 #pragma once
 
 #include "burnish/tasks/pressing/plants.hpp"
@@ -7,8 +7,8 @@
 
 namespace burnish::pressing {
 
-/// Calls see(entry, member) for each figure, a member of TickTimes. The full name of a figure is
-/// "ticks." followed by the name of its entry.
+/// Calls see(entry, member) for each statistic, a member of TickTimes. The full name of a statistic
+/// is "ticks." followed by the name of its entry.
 template <class See>
 void each_tick_figure(const See& see) {
   using T = TickTimes;

@@ -11,10 +11,10 @@
 namespace burnish::pressing {
 namespace {
 
-/// Limit below which a constraint row counts as dependent on the preceding rows: length of its
-/// independent component, as a fraction of its length. Dependent rows have up to 1e-4, because
+/// A constraint row counts as dependent on the preceding rows if the ratio of its independent
+/// component to its length is below this limit. Dependent rows have ratios up to 1e-4, because
 /// soles in found postures are level to 1e-4 rad. Rows along which the leg can move its foot have
-/// at least 0.05.
+/// ratios of at least 0.05.
 constexpr double min_independent_fraction = 3e-3;
 
 Directions held_by(const Standing& standing) {

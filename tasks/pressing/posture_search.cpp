@@ -242,9 +242,9 @@ class Search {
   }
 
   /// Sets `body` and `body_wanted` of a candidate to the distance and the required distance of the
-  /// critical pair. A pair is one of three points of the last link, and a link of the arm or the
-  /// origin of another link. The critical pair has the smallest ratio of distance to required
-  /// distance.
+  /// critical pair. A pair consists of one of three points of the last link, and of a link of the
+  /// arm or the origin of another link. The critical pair has the smallest ratio of distance to
+  /// required distance.
   void measure_body(Candidate& c) {
     const auto joint = [&](int index) -> const Joint& { return model_.joints[to_size(index)]; };
     const int last = model_.frames[to_size(model_.frame_index(place_.tool))].body;

@@ -23,7 +23,7 @@ struct PressingPlace {
   double force;                  ///< Force along the normal [N].
 };
 
-/// Returns the limits for the posture search that a task states.
+/// Returns the limits of the posture search, as stated in a task.
 template <class Task>
 PostureOptions posture_options_of(const Task& task) {
   return {.tilt_limit = task.search.tilt,

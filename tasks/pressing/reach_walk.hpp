@@ -17,9 +17,8 @@ struct ReachStop {
 };
 
 /// Posture that is moved from stop to stop along a path, and checked at every stop. Model, scene
-/// and start must outlive it. Damped least squares moves the tool to its position. In the null
-/// space, it restores the starting orientation of the tool and the starting posture. At every stop,
-/// these conditions are checked:
+/// and start must outlive this object. Damped least squares moves the tool to its position. In the
+/// null space, the tool's orientation and the posture return to the start. Checks at every stop:
 /// - Joint limits.
 /// - Torques: the torques that hold the robot still, tau = b(q, 0) - J^T f n, are within the effort
 ///   limits, with and without the force.

@@ -9,8 +9,7 @@
 namespace burnish::pressing {
 
 nlohmann::ordered_json ticks_json(const TaskRun& run);
-/// Returns the figures (measured quantities) of a standing robot as JSON; null for a robot that
-/// does not stand.
+/// Returns the statistics of a standing robot as JSON; null for a robot that does not stand.
 nlohmann::ordered_json standing_json(const TaskRun& run);
 
 /// Returns the names of all files that write_run_files() may write for a run.

@@ -17,8 +17,7 @@ struct NamedRun {
   RunSpec spec;
 };
 
-/// Figures (measured quantities) that only one task has, as a section of metrics.json and as
-/// entries of the HTML page.
+/// Statistics that only one task has, as a section of metrics.json and as entries of the HTML page.
 struct OwnFigures {
   std::string section;
   Json json = nullptr;
@@ -79,8 +78,8 @@ RecordedRun record_of(const std::string& task, const NamedRun<RunSpec>& run,
           .scene = result.setting.scene};
 }
 
-/// Returns `figures` as JSON and as entries of the HTML page; both are empty without figures.
-/// `each(see)` must call see(entry, member) for each figure.
+/// Returns `figures` (statistics) as JSON and as entries of the HTML page; both results are empty
+/// without figures. `each(see)` must call see(entry, member) for each statistic.
 template <class Figures, class Each>
 OwnFigures own_figures(const std::string& section, const std::optional<Figures>& figures,
                        const Each& each) {

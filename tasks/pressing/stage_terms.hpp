@@ -45,13 +45,13 @@ Constraint force_limit(const Signal& force, double min_force, double scale,
                        const PlanLimits& limits);
 /// Returns a cost on the deviation of torques from `rest`.
 CostTerm torque_cost(const Eigen::VectorXd& rest, double weight);
-/// Returns a cost on the deviation of the tool from `position`, a position relative to the origin
-/// of the reference [m]. `normal_weight`: factor on the weight along the normal, the third axis of
-/// the reference.
+/// Returns a cost on the deviation of the tool from `position`, relative to the origin of the
+/// reference frame [m]. `normal_weight`: factor on the weight along the normal, the third axis of
+/// the reference frame.
 CostTerm place_cost(const std::string& name, const std::string& tool, const Signal& position,
                     const Reference& on_surface, double weight, double normal_weight);
 /// Returns a cost on the deviation of the tool's normal speed from the third entry of the twist
-/// `target`. The speed is relative to the world; the normal is the third axis of the reference.
+/// `target`. The speed is relative to the world; the normal is the reference frame's third axis.
 CostTerm normal_speed_cost(const std::string& name, const std::string& tool, const Signal& target,
                            const Reference& on_surface, double weight);
 /// Returns a twist (6) whose only nonzero entry is the linear velocity `speed` along z [m/s].

@@ -221,8 +221,8 @@ std::optional<BaseEstimatorOptions> base_estimator(const Standing& standing) {
                                .gate = 1.0 - 1e-12,
                                .tilt_deviation = 5e-3,
                                .velocity_deviation = 0.01};
-  // Decay time of the jump in the base estimate when the feet replace a faulty IMU [s]. A faster
-  // motion of the estimate would count as a push.
+  // After a fault of the IMU, the base is estimated from the feet, and the jump of the estimate
+  // decays with this time [s]. A faster decay would count as a push.
   options.watch.decay_time = 0.2;
   for (const std::string& foot : standing.feet)
     options.feet.push_back({foot, standing.has_soles() ? FootKind::Sole : FootKind::Ball});
@@ -282,8 +282,8 @@ std::vector<CostTerm> internal_force_costs(const Standing& standing,
   if (standing.internal_forces == 0.0) return terms;
   Vector6 weights = Vector6::Zero();
   weights.head<2>().setOnes();
-  // Weight of the moment: it costs as much as the pair of forces at the ends of the sole that would
-  // produce the moment.
+  // Weight of the moment. A moment costs as much as the pair of forces at the ends of the sole that
+  // would produce it.
   if (standing.has_soles()) weights[5] = 1.0 / (standing.half_x * standing.half_x);
   for (const ContactSpec& foot : feet)
     terms.push_back({.name = "internal forces of " + foot.name,

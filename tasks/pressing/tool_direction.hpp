@@ -23,8 +23,7 @@ struct ToolDirection {
 /// - Sign: away from the robot. Three offsets are tried: from the last joint to the tool, from the
 ///   joint before to the last joint, and from the last joint to the centre of mass of the last
 ///   link. The first one with a component of at least 1 mm along the line decides.
-/// - Sign if no offset decides: -z for a frame of the settings, otherwise towards the frame's own
-///   z.
+/// - Sign if no offset decides: -z for a frame of the settings, else towards the frame's z axis.
 ToolDirection tool_direction(const std::string& frame, const std::optional<Eigen::Vector3d>& axis,
                              const Model& model);
 

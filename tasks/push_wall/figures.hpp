@@ -7,7 +7,7 @@
 
 namespace burnish::push_wall {
 
-/// Calls see(entry, member) for each figure of the push. The full name of a figure is "push."
+/// Calls see(entry, member) for each statistic of the push. The full name of a statistic is "push."
 /// followed by the name of its entry.
 template <class See>
 void each_push_figure(const See& see) {

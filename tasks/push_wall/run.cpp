@@ -79,7 +79,7 @@ class Replay {
   std::vector<int> hands_, feet_;
 };
 
-/// Errors and mean of the force of one hand over a range of rows.
+/// Errors of the force of one hand and mean of this force, over a range of rows.
 struct ForceError {
   double rmse = 0.0, peak = 0.0, mean = 0.0;
 };
@@ -106,8 +106,8 @@ std::pair<int, int> window(const Trace& trace, int from, double after, int until
   return {begin, end};
 }
 
-/// Returns the normal forces of both hands for all rows, averaged over 10 ms [N]. Sets the figures
-/// of slip, pressure and motion.
+/// Returns the normal forces of both hands for all rows, averaged over 10 ms [N]. Writes slip,
+/// pressure and motion into `figures`.
 std::array<Eigen::VectorXd, 2> replay(const Task& task, RunResult& result, PushFigures& figures) {
   const Trace& trace = result.trace;
   const Trace::Column phase = trace.column("phase"), time = trace.column("time");

@@ -6,7 +6,7 @@
 
 namespace burnish::stand {
 
-/// Calls see(entry, member) for each figure of the sway. The full name of a figure is "sway."
+/// Calls see(entry, member) for each statistic of the sway. The full name of a statistic is "sway."
 /// followed by the name of its entry.
 template <class See>
 void each_sway_figure(const See& see) {

@@ -53,7 +53,7 @@ class Reach {
   std::optional<EntryError> error_at_start() {
     return check_statics(setting_.q_start, "posture", "at the start");
   }
-  /// Returns the first error along the sway of `setting`, or nothing.
+  /// Checks the points of the sway of `setting` in order. Returns the first error, or nothing.
   std::optional<EntryError> error_in_sway(const Setting& setting) {
     constexpr int samples = 100;  // number of checked points of the sway
     Eigen::VectorXd q = setting.q_start;
@@ -138,8 +138,8 @@ Sway sway_for_height(const Task& task, const Setting& setting) {
   return sway;
 }
 
-/// Returns the sway with each amplitude scaled separately. The factor is the largest of `fractions`
-/// that the trunk can reach if it moves only in the direction of this amplitude; 0 if none.
+/// Returns the sway, each amplitude scaled by the largest of `fractions` at which the trunk can
+/// move in the direction of this amplitude alone. An amplitude that is never reached becomes 0.
 Sway reached_one_by_one(const Sway& whole, Reach& reach) {
   constexpr std::array fractions{1.0, 0.7, 0.5, 0.35, 0.25};
   Sway sway = whole;

@@ -64,7 +64,7 @@ class SwayRows {
       feet_.push_back(states_.body().frame(foot));
   }
 
-  /// Returns the figures of the rows up to `until` [s]; nothing if the sway did not begin.
+  /// Returns the statistics of the rows up to `until` [s]; nothing if the sway did not begin.
   std::optional<SwayFigures> figures(double until) {
     const Trace::Column phase = trace_.column("phase"), time = trace_.column("time");
     const Trace::Column tick = trace_.column("tick");

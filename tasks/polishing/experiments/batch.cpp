@@ -73,8 +73,8 @@ class TimeLimit {
 /// Indices of runs in a batch.
 using Indices = std::vector<std::size_t>;
 
-/// Reads results from the store into `figures`. Returns the indices of the runs whose results are
-/// missing, and which must be made.
+/// Reads results from the store into `figures`. Returns the indices of runs in the shard that must
+/// be made, because the store lacks a complete result.
 Indices find_results(const ExperimentSpec& spec, const std::vector<BatchRun>& runs,
                      const std::vector<std::string>& names, std::vector<RunFigures>& figures,
                      RunCounts& counts) {

@@ -34,12 +34,12 @@ void add_seeds(const ExperimentSpec& spec, const std::string& name, const Task& 
 void for_each_index(int count, int threads, const std::function<void(int index)>& work);
 
 /// Makes the runs in the shard of `spec` whose results are missing in the store of `spec`. Returns
-/// the figures of all runs in order. An Error of a run becomes its outcome. The outcome "not run"
-/// marks runs of other shards, and runs that did not begin before spec.stopped returned true.
+/// the statistics of all runs in order. An Error of a run becomes its outcome. The outcome "not
+/// run" marks runs of other shards, and runs that did not begin before spec.stopped returned true.
 /// Throws Error if a result cannot be written, or was made with kernels for another processor.
 std::vector<RunFigures> run_batch(const ExperimentSpec& spec, const std::vector<BatchRun>& runs);
 
-/// Batches of one experiment in which later batches depend on results of earlier ones. Run counts
+/// Batches of one experiment, where later batches depend on results of earlier batches. Run counts
 /// and progress cover all batches together.
 class BatchSeries {
  public:
@@ -49,7 +49,7 @@ class BatchSeries {
   BatchSeries& operator=(const BatchSeries&) = delete;
   /// Makes the first batch by run_batch().
   std::vector<RunFigures> run(const std::vector<BatchRun>& runs);
-  /// Makes all runs of a batch after the first, including the runs of other shards.
+  /// Makes a later batch, including the runs of other shards.
   std::vector<RunFigures> run_all(const std::vector<BatchRun>& runs);
 
  private:
@@ -60,9 +60,9 @@ class BatchSeries {
   RunCounts counts_;
 };
 
-/// Adds to the failures of the report: a sentence for every run that did not polish, and one for
-/// all stopped runs. Also marks an interrupted report, and adds a finding if runs used kernels for
-/// different processors.
+/// Adds failures to the report: one sentence for every run that did not polish, and one sentence
+/// for all stopped runs. Also marks an interrupted report, and adds a finding if runs used kernels
+/// for different processors.
 void note_failures(const ExperimentSpec& spec, const std::vector<RunFigures>& runs,
                    ExperimentReport& report);
 

@@ -1,4 +1,4 @@
-// Ranges of all disturbances of a run, from which a seed draws their sizes.
+// Ranges from which the disturbances of a run are drawn at random.
 #pragma once
 
 #include <string>
@@ -41,7 +41,7 @@ struct DisturbanceRanges {
   Span surface_curvature{1.0, 1.0};  ///< Ratio of the true to the modelled curvature.
 };
 
-/// Named ranges, with aims for the force within them.
+/// Named ranges, with upper limits for the force error under such disturbances.
 struct NamedRanges {
   std::string name;
   std::string summary;  ///< Description, as part of a sentence.

@@ -218,7 +218,7 @@ void Catalogue::add_impacts() {
 }
 
 void Catalogue::add_pushes() {
-  // Start of the push, counted from contact, and its duration [s].
+  // Start of the push, counted from contact, and duration of the push [s].
   constexpr double start = 3.5, duration = 1.0;
   for (const bool along : {true, false}) {
     Task task = still(start + 2.0 * duration);

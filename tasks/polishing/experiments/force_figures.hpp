@@ -25,8 +25,8 @@ struct ForceSignal {
   Eigen::VectorXd error() const { return force - target; }
 };
 
-/// Figures of a response to a step of the target force; NaN for levels that are not reached within
-/// the window.
+/// Statistics of the response to a step of the target force. Times are NaN for force levels that
+/// are not reached within the window.
 struct StepFigures {
   double overshoot;  ///< Largest overshoot, as a fraction of the step; at least 0.
   /// Time from the last force below 10 % of the step to the first above 90 % [s].
@@ -38,7 +38,7 @@ struct StepFigures {
   double steady_error;
 };
 
-/// Window for the figures of a step.
+/// Window for the statistics of a step response.
 struct StepWindow {
   double at;           ///< Time of the step [s].
   double until;        ///< End of the window [s].
@@ -46,7 +46,7 @@ struct StepWindow {
   double last = 0.3;   ///< Averaging time for the steady error, at the end of the window [s].
   double band = 0.05;  ///< Half width of the settling band, as a fraction of the step.
 };
-/// Returns the figures of the response to a step from `from_force` to `to_force` [N].
+/// Returns the statistics of the response to a step from `from_force` to `to_force` [N].
 StepFigures step_figures(const ForceSignal& signal, double from_force, double to_force,
                          const StepWindow& window);
 
@@ -77,10 +77,9 @@ struct SineFit {
 SineFit fit_sine(const Eigen::Ref<const Eigen::VectorXd>& time,
                  const Eigen::Ref<const Eigen::VectorXd>& values, double frequency);
 
-/// Bandwidth [Hz]. If the level is crossed outside the tested frequencies, only a bound is
-/// determined.
+/// Bandwidth [Hz]. If it lies outside the tested frequencies, `frequency` is only a bound.
 struct Bandwidth {
-  /// The bandwidth is below the lowest, or above the highest frequency.
+  /// Below, Above: the bandwidth is below or above `frequency`. None: it equals `frequency`.
   enum class Bound { None, Below, Above };
   double frequency;
   Bound bound = Bound::None;

@@ -36,8 +36,8 @@ struct TestPlace {
   std::optional<Robot> loaded = {};
 };
 
-/// Row of results: one figure of one contender in one test, with a value for each seed and a note
-/// on failures.
+/// Row of results: one statistic of one contender in one test, with a value for each seed and a
+/// note on failures.
 struct FigureRow {
   std::size_t place;
   std::string test, figure;
@@ -186,7 +186,7 @@ SineSweep sweep_of(const TestPlace& place) {
   return sweep;
 }
 
-/// Returns the values of a figure at the frequencies of a sweep, for one seed.
+/// Returns the values of a statistic at the frequencies of a sweep, for one seed.
 std::vector<double> swept(const std::vector<FigureRow>& rows, const SineSweep& sweep,
                           std::size_t place, std::size_t contender, const std::string& figure,
                           std::size_t seed) {
@@ -235,7 +235,7 @@ void add_bandwidths(const std::vector<TestPlace>& places, int seeds, std::vector
   }
 }
 
-/// Returns a table with a row for every figure and contender. The table allows comparisons with
+/// Returns a table with a row for every statistic and contender. The table allows comparisons with
 /// other controllers.
 ResultTable figures_table(const ExperimentSpec& spec, const std::vector<TestPlace>& places,
                           const std::vector<FigureRow>& rows, int seeds) {
@@ -260,7 +260,7 @@ ResultTable figures_table(const ExperimentSpec& spec, const std::vector<TestPlac
   return table;
 }
 
-/// Returns a table with a row for every figure; each contender has columns for mean and worst
+/// Returns a table with a row for every statistic; each contender has columns for mean and worst
 /// value.
 ResultTable summary_table(const std::vector<TestPlace>& places, const std::vector<FigureRow>& rows,
                           std::size_t place) {
@@ -363,7 +363,7 @@ Figure frequency_response(const std::vector<TestPlace>& places,
   return figure;
 }
 
-/// Adds findings about runs that did not complete, and about figures that some runs lack.
+/// Adds findings about runs that did not complete, and about statistics that some runs lack.
 void note_rows(const std::vector<FigureRow>& rows, ExperimentReport& report) {
   const std::vector<Contender> all = contenders();
   for (const FigureRow& row : rows) {

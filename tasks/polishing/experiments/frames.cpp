@@ -10,8 +10,8 @@
 namespace burnish::polishing {
 namespace {
 
-/// Disturbances, with a kind of model-error estimate. The estimate cannot correct wrong axes of the
-/// force, because it treats the measured force along the normal as correct.
+/// Preset of disturbances, with a type of model-error estimate. The estimate cannot correct wrong
+/// axes of the force, because it treats the measured force along the normal as correct.
 struct Circumstance {
   const char* name;
   const char* disturbances;

@@ -28,8 +28,8 @@ inline constexpr const char* force = "force";  ///< Force that the tool presses 
 /// Number of joints whose rotor inertia was assumed.
 inline constexpr const char* rotors = "rotors";
 inline constexpr const char* light = "light";  ///< Number of light joints, see light_joints().
-/// Extra delay of commands that the loop tolerates, predicted by margins() [s]. It adds to the
-/// delay of the preset `sensors`.
+/// Extra delay of commands that the control loop tolerates, predicted by margins() [s]. It is added
+/// to the delay of the preset `sensors`.
 inline constexpr const char* delay = "delay";
 }  // namespace public_figures
 

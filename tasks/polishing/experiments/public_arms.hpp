@@ -22,9 +22,8 @@ struct ArmBench {
   double force = 0.0;            ///< Force that the tool presses with [N].
   Eigen::VectorXd q_start = {};  ///< Start posture, nq entries.
 
-  /// Searches a start posture, and sets the force to that of the task. If posture or motors do not
-  /// allow this force, sets the largest whole number of newtons that they allow, at least
-  /// least_force.
+  /// Searches a start posture, and sets the force to the force of the task. If posture or motors do
+  /// not allow this force, sets the largest allowed whole number of newtons, at least least_force.
   void search();
   /// Smallest force that search() tries, 1.5 times Task::contact_threshold [N].
   static constexpr double least_force = 3.0;
@@ -52,7 +51,7 @@ class PublicArms {
   explicit PublicArms(const ExperimentSpec& spec) : spec_(spec) {}
   /// Adds the runs of an arm whose description is `file`.
   void add(const PublicRobot& arm, const std::filesystem::path& file, std::vector<BatchRun>& runs);
-  /// Adds tables of the results to the report. `figures`: figures of all runs.
+  /// Adds tables of the results to the report. `figures`: statistics of all runs.
   void report(const std::vector<RunFigures>& figures, PublicReport& common,
               ExperimentReport& report) const;
 
@@ -65,7 +64,7 @@ class PublicArms {
   std::vector<UntriedRobot> unread_;  ///< Robots whose descriptions were rejected.
 };
 
-// Tables of the report, from the figures of all runs.
+// Tables of the report, from the statistics of all runs.
 ResultTable arms_table(const std::vector<ArmTrial>& trials, const std::vector<RunFigures>& figures,
                        PublicReport& common);
 ResultTable delays_table(const std::vector<ArmTrial>& trials,

@@ -15,8 +15,8 @@ constexpr const char* arm_presets[] = {"mismatch", "joint_friction"};
 /// Aim (upper limit) of the rms force error under the disturbances `mismatch`.
 const Aim force_aim{"force_rmse", 0.2};
 
-/// Tolerance for the claim that MPC is not worse than the baseline. The figure of MPC may exceed
-/// that of the baseline by the factor `times` or by `more`, whichever allows more.
+/// Tolerance for the claim that MPC is not worse than the baseline. The value of MPC may exceed the
+/// value of the baseline by the factor `times` or by `more`, whichever allows more.
 struct Tolerance {
   const char *figure, *name;
   double times, more;  ///< `more` is in the display unit.
@@ -24,7 +24,7 @@ struct Tolerance {
 constexpr Tolerance tolerances[] = {{"force_rmse", "force", 1.1, 0.01},
                                     {"position_rmse", "path", 1.0, 0.005}};
 
-/// Returns the median of a figure over the runs that polished, in the display unit.
+/// Returns the median of a statistic over the runs that polished, in the display unit.
 double median(const std::vector<RunFigures>& runs, const char* figure) {
   std::vector<double> values;
   for (const RunFigures& run : runs)
@@ -32,7 +32,7 @@ double median(const std::vector<RunFigures>& runs, const char* figure) {
   return shown(figure, quantile_of(values, 0.5));
 }
 
-/// Returns the largest value of a figure over all runs, in the display unit. Runs that stopped
+/// Returns the largest value of a statistic over all runs, in the display unit. Runs that stopped
 /// early are included, with the values until they stopped.
 double worst(const std::vector<RunFigures>& runs, const char* figure) {
   return shown(figure, largest_of(collect(runs, figure)));
@@ -64,7 +64,7 @@ std::string Pair::worse() const {
   return text;
 }
 
-/// Figures of all runs of a bench (an arm at a surface), and of the runs under each preset.
+/// Statistics of all runs of a bench (an arm at a surface), and of the runs under each preset.
 struct BenchFigures {
   const ArmBench* bench;
   std::vector<RunFigures> all = {};

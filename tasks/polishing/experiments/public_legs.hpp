@@ -13,7 +13,7 @@ class PublicLegs {
   /// Adds the runs of a robot whose description is `file`.
   void add(const PublicRobot& robot, const std::filesystem::path& file,
            std::vector<BatchRun>& runs);
-  /// Adds tables of the results to the report. `figures`: figures of all runs.
+  /// Adds tables of the results to the report. `figures`: statistics of all runs.
   void report(const std::vector<RunFigures>& figures, PublicReport& common,
               ExperimentReport& report) const;
 

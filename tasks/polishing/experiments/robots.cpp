@@ -160,7 +160,7 @@ void note_absent(const std::vector<PublicRobot>& absent, std::size_t all,
     report.findings.push_back("Missing: " + robot.name + ", " + robot.url() + ".");
 }
 
-/// Returns the runs that were not rejected. Entries state the reasons of rejected runs.
+/// Returns the runs that were not rejected.
 std::vector<RunFigures> not_refused(const std::vector<RunFigures>& figures) {
   std::vector<RunFigures> runs;
   std::ranges::copy_if(figures, std::back_inserter(runs),

@@ -35,7 +35,7 @@ std::vector<double> finite_of(const std::vector<double>& values) {
   return result;
 }
 
-/// Calls see(full name, table entry, value) for each figure of a run.
+/// Calls see(full name, table entry, value) for each statistic of a run.
 template <class See>
 void each_value(const RunFigures& run, const See& see) {
   const Metrics metrics = run.metrics.value_or(Metrics{});

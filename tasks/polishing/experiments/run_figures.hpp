@@ -38,9 +38,9 @@ struct RunFigures {
   double computing = 0.0;                              ///< Computing time on one core [s].
   std::string kernels = {};                            ///< Kernels, see instruction_set().
 
-  /// Returns a figure by its full name, in its own unit. It may be a figure of Metrics, of the
-  /// solver, of standing, of the ticks, or of each_run_figure(). Returns NaN if the run lacks the
-  /// figure. Throws Error for an unknown name.
+  /// Returns a statistic by its full name, in its own unit. It may be a statistic of Metrics, of
+  /// the solver, of standing, of the ticks, or of each_run_figure(). Returns NaN if the run lacks
+  /// the statistic. Throws Error for an unknown name.
   double operator[](const std::string& figure) const;
 };
 
@@ -52,8 +52,8 @@ bool all_finite(const Trace& trace);
 
 RunFigures figures_of(const std::string& name, const Task& task, const RunResult& result);
 
-/// Calls see(entry, member) for each figure that covers the whole run. Metrics does not contain
-/// these figures.
+/// Calls see(entry, member) for each statistic that covers the whole run. Metrics does not contain
+/// these statistics.
 template <class See>
 void each_run_figure(const See& see) {
   using R = RunFigures;
@@ -71,13 +71,13 @@ void each_run_figure(const See& see) {
       &R::largest_command);
 }
 
-/// Returns the table entry of a figure: name, unit and description. Throws Error for an unknown
+/// Returns the table entry of a statistic: name, unit and description. Throws Error for an unknown
 /// name.
 FigureEntry figure_named(const std::string& name);
-/// Converts a value of a figure to its display unit.
+/// Converts a value of a statistic to its display unit.
 double shown(const std::string& figure, double value);
-/// Returns the table column of a figure in its display unit. `title`: title of the column; empty:
-/// name of the figure.
+/// Returns the table column of a statistic in its display unit. `title`: title of the column;
+/// empty: name of the statistic.
 ResultColumn figure_column(const std::string& figure, const std::string& title = "");
 
 /// Columns that describe a run, from "polished" to "outcome", and the cells of its row.
@@ -92,7 +92,7 @@ double smallest_of(const std::vector<double>& values);
 double quantile_of(std::vector<double> values, double fraction);
 /// Returns the largest value of a figure in its display unit, at least 0; NaN if a run lacks it.
 double worst_shown(const std::vector<RunFigures>& runs, const std::string& figure);
-/// Returns one figure of several runs, in its own unit.
+/// Returns one statistic of several runs, in its own unit.
 std::vector<double> collect(const std::vector<RunFigures>& runs, const std::string& figure);
 
 /// Table column with a statistic of one figure over several runs, such as a mean.

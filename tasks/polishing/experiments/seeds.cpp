@@ -219,8 +219,8 @@ Figure distributions(const std::vector<BatchRun>& runs, const std::vector<RunFig
   return figure;
 }
 
-/// Returns the index of a run that diverged; if none diverged, of the run with the largest force
-/// error.
+/// Returns the index of a run that diverged. If no run diverged, returns the index of the run with
+/// the largest force error.
 std::size_t worst_of(const std::vector<RunFigures>& figures) {
   const auto badness = [](const RunFigures& run) {
     if (!run.made) return -1.0;

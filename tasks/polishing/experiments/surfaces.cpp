@@ -98,7 +98,7 @@ ResultTable runs_table(const std::vector<SurfaceCase>& cases) {
   return table;
 }
 
-/// Returns the force error of the worst seed; NaN if a run lacks this figure.
+/// Returns the force error of the worst seed; NaN if a run lacks a force error.
 double worst_force(const SurfaceCase& of) {
   double worst = 0.0;
   for (const RunFigures& run : of.runs) {

@@ -18,8 +18,8 @@ struct RateTimes {
   SolverFigures plans() const {
     return run.metrics && run.metrics->solver ? *run.metrics->solver : SolverFigures{};
   }
-  /// Returns whether 99 % of the plans are ready in time, and whether the force error is at most
-  /// that of the slowest rate.
+  /// Returns whether 99 % of the plans are ready in time, and whether the force error is at most as
+  /// large as at the slowest rate.
   bool holds(const RunFigures& slowest) const {
     return run.polished && plans().updates > 0 && plans().p99 < 1.0 / rate &&
            run["force_rmse"] <= slowest["force_rmse"] + 1e-9;
