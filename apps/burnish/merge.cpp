@@ -73,7 +73,7 @@ bool is_sweep(const std::string& folder) {
 [[noreturn]] void merge_sweep(const MergeArguments& a) {
   if (a.force)
     throw Error(
-        "--force is not for campaigns of burnish sweep; wanted --out with another folder, or with "
+        "--force does not work with campaigns of burnish sweep; wanted --out with a new folder or "
         "the folder of a shard");
   std::vector<std::string> words{"merge"};
   words.insert(words.end(), a.folders.begin(), a.folders.end());

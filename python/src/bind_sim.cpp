@@ -533,8 +533,8 @@ class BoundSensing {
                   " entries; wanted " + std::to_string(plant.plant->v().size()));
     if (frames_of(plant.plant->scene()) != frames_)
       throw Error(
-          "Sensing.measure: the plant has other touches than the scene of the sensing; wanted the "
-          "same touches in the same order");
+          "Sensing.measure: the touches of the plant differ from those of the scene given to "
+          "Sensing; wanted equal touches in the same order");
     return sensing_.measure(*plant.plant, applied);
   }
 

@@ -103,7 +103,7 @@ class ConstrainedDynamics {
   std::vector<ContactState<S>> contact_states;  ///< One state per contact of the set
   int proximal_iterations = 0;                  ///< Largest number of all lanes: forward, impact
   std::vector<S> lane_iterations;               ///< Proximal iterations of each lane (1 entry)
-  /// Largest |mu (lambda - previous lambda)| per lane (1 entry): forward [m/s^2], impact [m/s]
+  /// Largest |mu (lambda - previous lambda)|, one entry [m/s^2; for an impact m/s]
   std::vector<S> proximal_residual;
 
   // Intermediate results, for the derivatives.

@@ -18,7 +18,7 @@ struct CompiledReference {
   /// surface, in the frame with axes `fixed_in` and origin `place`.
   bool is_curved = false;
   int tool_body = -1;
-  Vec3<double> place;  ///< Origin of the frame of the surface, in the body axes_body [m]
+  Vec3<double> place;  ///< Origin of the frame of the surface, in the axes of body `axes_body` [m]
   Vec3<double> tool;   ///< Point whose surface normal the axes follow, in the body tool_body [m]
   Mat3<double> Q;
   Vec3<double> b;

@@ -109,10 +109,9 @@ void take_over_springs(const std::vector<const JointSpec*>& spec_of_joint,
       const double rest_difference = std::remainder(rest - leader_rest, 2.0 * std::numbers::pi);
       if (std::abs(multiplier) != 1.0 || (stiffness > 0.0 && std::abs(rest_difference) > 1e-9)) {
         refuse(origin, "joint " + in_quotes(joint.name) + " has a spring and follows joint " +
+                           in_quotes(leader.name) + ", which is continuous; wanted a revolute " +
                            in_quotes(leader.name) +
-                           ", which is continuous; wanted a multiplier of 1 or -1 and springs that "
-                           "rest at the same angle of " +
-                           in_quotes(leader.name) + ", or a revolute joint " +
+                           ", or a multiplier of 1 or -1 and the rest angle of the spring of " +
                            in_quotes(leader.name));
       }
     }

@@ -205,8 +205,8 @@ struct ResidualCompiler : TermBuilder {
     const FrameView result = view(frame, reference);
     if (reference.axes == Anchor::Tool)
       refuse(
-          "the reference's axes are the frame's own, in which the rotation is constant; wanted "
-          "axes of the world or of another frame");
+          "the reference's axes are the frame's own, and relative to them the frame never turns; "
+          "wanted axes of the world or of another frame");
     return result;
   }
 

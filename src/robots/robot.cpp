@@ -153,8 +153,7 @@ ModelOptions options_of(const RobotSettings& settings, const RobotOverrides& ove
   }
   if (options.free.empty()) {
     // In ModelOptions, an empty list of free joints leaves all joints free.
-    refuse(origin,
-           "all joints that the settings leave free are locked; wanted at least one free joint");
+    refuse(origin, "all joints in the list `free` are locked; wanted at least one free joint");
   }
   return options;
 }

@@ -8,7 +8,7 @@
 
 namespace burnish {
 
-/// Adds the product factor A B to C. C must not be A or B.
+/// Adds `factor` times the product A B to C. C must not be A or B.
 template <class A, class B, class C>
 void add_product(double factor, const A& a, const B& b, C& c) {
   for (Eigen::Index j = 0; j < b.cols(); ++j)

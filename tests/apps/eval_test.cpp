@@ -144,7 +144,8 @@ TEST(Eval, GivenMotionOrForceThatForcesIgnore_IsRefused) {
     EXPECT_EQ(outcome.exit_code, 2);
     EXPECT_NE(outcome.err.find(words), std::string::npos) << outcome.err;
   };
-  expect_refused(pressing_with_ten_newtons({"acceleration"}), "lists forces and an acceleration");
+  expect_refused(pressing_with_ten_newtons({"acceleration"}),
+                 "\"acceleration\" does not compute forces");
   expect_refused(pressing_with_ten_newtons({"forces"}), "states[0].lambda: it is given");
   Json moved = pressing_with_ten_newtons({"forces", "frames"});
   moved["states"][0] = {{"a", {1, 0, 0, 0, 0, 0, 0}}};

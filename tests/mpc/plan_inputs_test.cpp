@@ -89,7 +89,7 @@ TEST(PlanInputs, InputsThatCannotWork_AreRefused) {
   refused({"input 'surface'", "another kind"});
   const Eigen::VectorXd none = Eigen::VectorXd::Zero(spec.problem.model.nv);
   spec.problem.inputs = {{.name = "torque_error", .kind = InputKind::Vector, .value = none}};
-  refused({"'torque_error'", "no torque_bias_input"});
+  refused({"'torque_error'", "torque_bias_input is empty"});
 }
 
 }  // namespace
