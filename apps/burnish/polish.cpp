@@ -226,6 +226,10 @@ void check_place(CheckedPlace& place, const std::vector<document::Reader>& said,
 /// fitted once per place, for all jobs of the place.
 void check(std::vector<PolishJob>& jobs, const Texts& texts, const PolishArguments& arguments) {
   std::vector<CheckedPlace> places;
+  for (const PolishJob& job : jobs)
+    if (const std::string refusal = polishing::wants_plans(job.spec.task);
+        job.spec.controller != ControllerKind::Mpc && !refusal.empty())
+      throw Error(job.name + ": " + refusal);
   for (PolishJob& job : jobs) {
     if (places.empty() || places.back().job->place != job.place) {
       places.push_back({.job = &job});

@@ -409,6 +409,8 @@ TEST(Polish, BadInput_IsRefusedInOneSentence) {
   refused("--set force=300 --set limits.force=900", "pressing with 300 N needs");
   refused("--disturbances mismach", "did you mean 'mismatch'?");
   refused("--controller mcp", "--controller");
+  refused("--controller both --set 'standing.feet=[left_sole_link, right_sole_link]'",
+          "controllers without a plan do not keep balance");
   refused("--plant gazebo", "--plant");
   refused("--duration 0", "phases.polish_duration: it is 0");
   refused("--surfaces table", "did you mean '--surface'?");
