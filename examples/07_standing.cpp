@@ -27,7 +27,7 @@ int main() {
   MpcSpec mpc{.problem = {.model = robot.model},
               .tool = "",  // the hand touches nothing
               .supports = {"left_sole_link", "right_sole_link"},
-              .support_sensors = true};
+              .touches = {{"left_sole_link"}, {"right_sole_link"}}};  // all have force sensors
   Stage stand{.name = "stand", .contacts = mpc.supports};
   SceneSpec scene;
   VectorXd least = VectorXd::Constant(6, -1e9);

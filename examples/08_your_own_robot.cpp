@@ -29,10 +29,11 @@ int main(int argc, char** argv) {
       3, [=, com = at.com](double t, auto p) { p = com - deep * share(t) * Vector3d::UnitZ(); });
   const Signal turn = Signal::over_time(
       4, [=](double t, auto quaternion) { quaternion = Eigen::Quaterniond(bowed(t)).coeffs(); });
-  MpcSpec mpc{.problem = {.model = model}, .supports = task.standing.feet, .support_sensors = true};
+  MpcSpec mpc{.problem = {.model = model}, .supports = task.standing.feet};
   Stage stage{.name = "bow", .contacts = mpc.supports};
   BaseEstimatorOptions estimator{.gyro_noise = 3e-4, .accelerometer_noise = 5e-3};
   for (const std::string& foot : mpc.supports) {
+    mpc.touches.push_back({foot});  // with a sensor of force and moment
     ContactSpec ball{.name = foot, .tool = foot, .directions = Directions::linear()};
     ball.reference = Reference::centered();
     mpc.problem.contacts.push_back(ball.with_gains(0.0, 20.0));

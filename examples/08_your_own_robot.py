@@ -55,7 +55,8 @@ problem = burnish.ProblemSpec(
     model, contacts=contacts, stages=[stage], initial_state=np.concatenate([at.q_start, np.zeros(nv)]),
     horizon=[burnish.HorizonSegment("bow", knots=20, step=0.01, duration=0.6)])
 controller = burnish.MpcController(burnish.MpcSpec(
-    problem, supports=task.standing.feet, support_sensors=True, tool="",
+    problem, supports=task.standing.feet, tool="",
+    touches=[burnish.TouchSensor(foot) for foot in task.standing.feet],  # with sensors of force and moment
     schedule=[burnish.SchedulePhase("bow", "bow")],
     settle=0.5, fallback=task.standing.fallback,  # held at first, while the estimate of its base settles
     tick_period=1e-3, update_period=5e-3, solver_delay=5e-3,  # plans take 5 ms

@@ -99,7 +99,7 @@ class Pacer final : public Controller {
       times->reserve(capacity);
   }
   int nv() const override { return mpc_->nv(); }
-  std::optional<std::vector<std::string>> touches() const override { return mpc_->touches(); }
+  std::optional<std::vector<TouchSensor>> touches() const override { return mpc_->touches(); }
   Status set_payload(std::string_view frame, const InertiaSpec& payload) override {
     return mpc_->set_payload(frame, payload);
   }

@@ -24,6 +24,7 @@ __all__ = [
     "Command", "Controller", "Fallback", "FaultKind", "FaultReport", "FeedbackPlan",
     "FrictionEstimateOptions", "GainRange", "LinearFeedback", "LoopMargins", "Measurement", "ModelErrorKind", "ModelErrorOptions", "MpcController",
     "MpcSpec", "PlanTiming", "SafetyLimits", "Schedule", "SchedulePhase", "SlipOptions", "TorqueErrorObserver",
+    "TouchSensor", "WrenchSensor",
 ]
 
 

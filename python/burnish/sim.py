@@ -33,15 +33,15 @@ from ._renamed import refuse_old_names
 from ._spec import Spec
 from .base import Status
 from .contact import SurfaceShape
+from .mpc import WrenchSensor
 
 __all__ = [
     "Actuation", "ActuationStep", "AdmittanceGains", "AdmittanceSpec", "CirclePath", "ClosedLoop",
     "ClosedLoopOptions", "Disturbances", "HoistSpec", "IdealPlantOptions", "ImpedanceGains", "ImpedanceSpec", "ImuFault",
     "MotorLoss", "MujocoContact", "MujocoPlantOptions", "Plant", "PlantSnapshot", "PressingPath", "Push", "SceneSpec",
     "Sensing", "SlipperyGround", "SurfaceMotion", "SurfaceSpec", "TaskPoint", "TouchSpec", "UnknownPayload",
-    "WrenchSensor", "check_disturbances", "checked_scene", "gap", "has_mujoco", "make_admittance_controller",
-    "make_ideal_plant", "make_impedance_controller", "make_mujoco_plant", "plant_model", "plant_scene",
-    "with_surface_at",
+    "check_disturbances", "checked_scene", "gap", "has_mujoco", "make_admittance_controller", "make_ideal_plant",
+    "make_impedance_controller", "make_mujoco_plant", "plant_model", "plant_scene", "with_surface_at",
 ]
 
 

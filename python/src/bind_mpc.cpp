@@ -140,7 +140,14 @@ void bind_controller(py::module_& m) {
           "nv", [](const BoundController& self) { return self.controller->nv(); },
           "Number of torques of a command.")
       .def_property_readonly(
-          "touches", [](const BoundController& self) { return self.controller->touches(); },
+          "touches",
+          [](const BoundController& self) {
+            std::optional<std::vector<std::string>> frames;
+            if (const auto touches = self.controller->touches())
+              for (frames.emplace(); const TouchSensor& touch : *touches)
+                frames->push_back(touch.frame);
+            return frames;
+          },
           "Frames of the columns of Measurement.wrenches, as the controller reads them; None: all "
           "touches of the plant's scene, in their order.")
       .def(

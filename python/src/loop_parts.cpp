@@ -206,12 +206,14 @@ class ControllerPart::Adaptor final : public Controller {
     for (const char* name : {"reset", "tick"}) (void)attribute(controller, "Controller", name);
     if (nv_ < 0) throw Error("Controller.nv: got " + std::to_string(nv_) + "; wanted at least 0");
     command_.tau = Eigen::VectorXd::Zero(nv_);
-    if (py::hasattr(controller, "touches"))
-      touches_ = read<std::optional<std::vector<std::string>>>(controller, "Controller", "touches");
+    if (!py::hasattr(controller, "touches")) return;
+    using Frames = std::optional<std::vector<std::string>>;
+    if (const Frames frames = read<Frames>(controller, "Controller", "touches"))
+      for (touches_.emplace(); const std::string& frame : *frames) touches_->push_back({frame});
   }
 
   int nv() const override { return nv_; }
-  std::optional<std::vector<std::string>> touches() const override { return touches_; }
+  std::optional<std::vector<TouchSensor>> touches() const override { return touches_; }
 
   void reset() noexcept override {
     try {
@@ -258,7 +260,7 @@ class ControllerPart::Adaptor final : public Controller {
 
   py::object object_;
   int nv_;
-  std::optional<std::vector<std::string>> touches_;
+  std::optional<std::vector<TouchSensor>> touches_;
   Command command_;
 };
 

@@ -25,6 +25,8 @@ constexpr Rename names[] = {
     {"tool_force_world", "wrenches"},
     {"tool_wrench", "wrenches"},
     {"support_wrenches", "wrenches"},
+    {"support_sensors", "touches"},
+    {"force_sensor", "touches"},
     // solver
     {"price", "l1_weight"},
     {"largest_price", "max_l1_weight"},

@@ -258,6 +258,32 @@ const Description& description_of(const ImuReading* /*of*/) {
   return all;
 }
 
+const Words& words_of(WrenchSensor /*of*/) {
+  static const Words all{
+      "mpc",
+      "WrenchSensor",
+      "Components of a wrench that a sensor measures.",
+      {{"automatic", "Force of a tool, force and moment of a support"},
+       {"none", "No component"},
+       {"force", "Force, but no moment"},
+       {"wrench", "Force and moment"}}};
+  return all;
+}
+
+const Description& description_of(const TouchSensor* /*of*/) {
+  using S = TouchSensor;
+  static const Description all =
+      Describe<S>("mpc", "TouchSensor",
+                  "Wrench sensor at a touch of the robot (tool, foot or hand).")
+          .field("frame", &S::frame,
+                 "Frame of the touch")
+          .field("sensor", &S::sensor,
+                 "Components that the controller reads")
+          .more("Automatic: the force on the tool of the controller, force and moment on other "
+                "touches");
+  return all;
+}
+
 const Description& description_of(const Measurement* /*of*/) {
   using S = Measurement;
   static const Description all =

@@ -25,6 +25,8 @@ const Description& description_of(const EstimatorInnovation*);
 const Description& description_of(const FootContactOptions*);
 const Description& description_of(const FrictionEstimateOptions*);
 const Description& description_of(const ImuReading*);
+const Words& words_of(WrenchSensor);
+const Description& description_of(const TouchSensor*);
 const Description& description_of(const Measurement*);
 const Words& words_of(ModelErrorKind);
 const Description& description_of(const ModelErrorOptions*);

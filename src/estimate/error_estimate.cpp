@@ -78,8 +78,7 @@ void ErrorEstimate::update(RobotState& state, const ErrorInput& input) noexcept 
     // If the dynamics cannot be evaluated, observer and estimate stay unchanged.
     const Eigen::Vector3d force = observed_force(input);
     const Status seen =
-        observer_ ? observer_->update(state, acted_, force, input.dt, input.support_wrenches)
-                  : Status::Ok;
+        observer_ ? observer_->update(state, acted_, force, input.dt, input.wrenches) : Status::Ok;
     if (is_usable(seen)) {
       torque_offset_ += weight * (m.tau - acted_ - torque_offset_);
       joint_friction_.learn(model_error(), m.v, observer_bandwidth(), input.dt);

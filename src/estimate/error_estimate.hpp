@@ -21,7 +21,7 @@ struct ErrorEstimateSpec {
   bool force_sensor;                  ///< Whether the force at the tool is measured.
   std::vector<ContactSpec> supports;  ///< Contacts of supports that hold in every stage.
   std::vector<ContactSpec> held;      ///< `supports`, followed by the loops of the robot.
-  std::vector<std::string> measured;  ///< Frames of the columns of ErrorInput::support_wrenches.
+  std::vector<std::string> measured;  ///< Frames of the columns of ErrorInput::wrenches.
   StageContacts contacts;
   /// Settings of the friction estimate; none: the tool's contacts have no friction.
   std::optional<FrictionEstimateOptions> friction;
@@ -36,8 +36,8 @@ struct ErrorInput {
   /// Force of the surface on the tool, in world axes [N]. Without a force sensor, the force that
   /// feel() returned.
   const Eigen::Vector3d& tool_force_world;
-  /// Measured wrenches on supports, as in Measurement::wrenches; no columns without sensors.
-  const Wrenches& support_wrenches;
+  /// Measured wrenches at the frames ErrorEstimateSpec::measured, as in Measurement::wrenches.
+  const Wrenches& wrenches;
   double dt;            ///< Time since the previous valid measurement [s]; 0 at the first one.
   double target_force;  ///< Target of the normal force at the previous tick [N].
   /// Torque command in effect until the measurement, before the filter of the torque model and
@@ -57,6 +57,8 @@ class ErrorEstimate {
   /// Updates the estimate. If the dynamics cannot be evaluated, the estimate stays unchanged.
   void update(RobotState& state, const ErrorInput& input) noexcept;
 
+  /// Returns true if the force at the tool is estimated by feel() instead of measured.
+  bool feels() const { return felt_.has_value(); }
   /// Estimates the force at the tool, in world axes [N]. Without a force sensor, call it before
   /// update(), which receives the result as its input.
   const Eigen::Vector3d& feel(RobotState& state, const ErrorInput& input) noexcept;

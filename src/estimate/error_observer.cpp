@@ -9,6 +9,19 @@
 
 namespace burnish {
 
+namespace {
+
+/// Returns the supports whose frames are not in `measured`.
+std::vector<ContactSpec> without_sensor(std::vector<ContactSpec> supports,
+                                        const std::vector<std::string>& measured) {
+  std::erase_if(supports, [&](const ContactSpec& support) {
+    return std::find(measured.begin(), measured.end(), support.tool) != measured.end();
+  });
+  return supports;
+}
+
+}  // namespace
+
 ChangeDetector::ChangeDetector(const Model& model, const ModelErrorOptions& options)
     : transient_scale_(std::max(options.usual_transient_scale(), 1.0)),
       quiescent_scale_(options.quiescent_scale),
@@ -101,7 +114,7 @@ ErrorObserver::ErrorObserver(const Model& model, const ModelErrorOptions& option
                              const std::vector<std::string>& measured)
     : options_(options),
       closed_(state.active_in(supports)),
-      loops_(state.active_in({})),
+      unmeasured_(state.active_in(without_sensor(supports, measured))),
       velocity_(Eigen::VectorXd::Zero(model.nv)),
       error_(velocity_),
       total_(velocity_),
@@ -186,7 +199,7 @@ Status ErrorObserver::update(RobotState& state, const ConstVectorRef& tau,
     body.frame_jacobian(sensors_[to_size(i)], local_, jacobian_);
     total_.noalias() += jacobian_.transpose() * supports.col(i);
   }
-  const RobotState::ActiveContacts& closed = is_measured ? loops_ : closed_;
+  const RobotState::ActiveContacts& closed = is_measured ? unmeasured_ : closed_;
   const Status status = state.forward(closed, total_);
   if (!is_usable(status)) return status;
   ContactDynamics& dynamics = state.dynamics();

@@ -58,8 +58,9 @@ class ErrorObserver {
 
   ModelErrorOptions options_;
   RobotState::ActiveContacts closed_;  ///< Supports and loops; used without measured wrenches.
-  RobotState::ActiveContacts loops_;   ///< Loops; used if the wrenches of supports are measured.
-  std::vector<int> sensors_;           ///< Frames at which wrenches are measured.
+  /// Supports without a sensor, and loops; used with measured wrenches.
+  RobotState::ActiveContacts unmeasured_;
+  std::vector<int> sensors_;  ///< Frames at which wrenches are measured.
   Reference local_ = Reference::local();
   RowMatrix jacobian_;
   bool started_ = false;

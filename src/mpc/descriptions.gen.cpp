@@ -271,7 +271,6 @@ const Description& description_of(const MpcSpec* /*of*/) {
                  "none: no task")
           .field("tool", &S::tool,
                  "Frame of the tool; empty: the robot has no tool")
-          .more("The wrench on the tool is the first column of Measurement.wrenches")
           .field("base", &S::base,
                  "Robot frame that carries the surface, such as a hand that holds a plate; empty:"
                  " the world")
@@ -284,25 +283,23 @@ const Description& description_of(const MpcSpec* /*of*/) {
                  "Names of the contacts that the robot stands on or leans against")
           .more("The fallback and the estimators use the supports that are in contact in every "
                 "stage. A robot with a floating base needs at least one such support. Supports "
-                "that are in contact only in some stages, such as hands on a wall, require "
-                "support_sensors")
+                "that are in contact only in some stages, such as hands on a wall, require a "
+                "sensor (`touches`)")
           .field("resting_supports", &S::resting_supports,
                  "Entries of `supports` that press with a planned force, such as a hand on a "
                  "table")
           .more("The fallback does not use these supports, even if they are in contact in every "
                 "stage, because the fallback would load a hand like a foot. These supports "
-                "require support_sensors")
-          .field("support_sensors", &S::support_sensors,
-                 "Whether Measurement.wrenches has a column for each support, after the column of"
-                 " the tool")
-          .more("All supports then need a sensor of force and moment: a NaN in one of these "
-                "columns makes the measurement invalid. Torque errors are estimated in all "
-                "joints, including the joints of supporting legs")
-          .field("force_sensor", &S::force_sensor,
-                 "Whether the force on the tool is measured; if false, it is estimated")
-          .more("If false, the column of the tool is not read. The force is estimated from the "
-                "change of the torque error at contact. The estimate uses torques, positions and "
-                "velocities, and requires that model_error.kind is `torque`")
+                "require a sensor (`touches`)")
+          .field("touches", &S::touches,
+                 "Sensors of the tool, feet and hands, one per column of Measurement.wrenches")
+          .more("A NaN in a component with a sensor makes the measurement invalid. A tool without"
+                " an entry has a force sensor, and the first column. If the tool's entry states "
+                "the sensor `none`, the force on the tool is estimated from the change of the "
+                "torque error at contact. This estimate requires that model_error.kind is "
+                "`torque`. With a sensor at each support, torque errors are estimated in all "
+                "joints, including the joints of supporting legs. A support whose rotation is "
+                "free, such as a point foot, needs no sensor of moments")
           .field("contact_threshold", &S::contact_threshold,
                  "Normal force above which the tool counts as in contact [{N}]")
           .field("tick_period", &S::tick_period,

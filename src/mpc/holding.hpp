@@ -39,7 +39,7 @@ class Holding {
   void release() noexcept { holding_ = false; }
   /// Sets `tau` (nv) [Nm or N] to the holding torque at q and v, or to zero if the dynamics cannot
   /// be evaluated. `fresh`: true if q and v were measured at this tick. `wrenches`:
-  /// MeasurementGate::support_wrenches().
+  /// MeasurementGate::wrenches().
   void torque(const Eigen::VectorXd& q, const Eigen::VectorXd& v, bool fresh,
               const Wrenches& wrenches, Eigen::VectorXd& tau) noexcept;
   /// Returns the torques that hold the robot still (nv) [Nm or N]: the gravity torques b(q, 0) for

@@ -190,7 +190,7 @@ std::string without_margins(const MpcSpec& spec) {
     return "margins: the robot stands on supports; wanted an arm without supports";
   if (!spec.base.empty())
     return "margins: the robot carries the surface; wanted a surface fixed to the world";
-  if (!spec.force_sensor)
+  if (!spec.tool.empty() && wrench_column(spec, spec.tool) < 0)
     return "margins: the force is estimated from torques; wanted a force sensor";
   if (spec.model_error.kind == ModelErrorKind::Force)
     return "margins: model_error.kind is force; wanted torque or none";

@@ -1,5 +1,6 @@
 #include "mpc/measurement_gate.hpp"
 
+#include <algorithm>
 #include <cmath>
 #include <cstdio>
 
@@ -9,11 +10,8 @@ namespace burnish {
 
 MeasurementGate::MeasurementGate(const GateSpec& spec)
     : limits_(spec.limits),
-      support_names_(spec.sensors),
       tick_period_(spec.tick_period),
-      sensor_(spec.force_sensor ? RigidBody(spec.model).frame(spec.tool) : -1),
       touches_(static_cast<Eigen::Index>(spec.touches.size())),
-      supports_(static_cast<Eigen::Index>(spec.sensors.size())),
       q_start_(spec.q_start),
       state_(spec.model, spec.contacts, spec.tool, spec.surface_frame) {
   const Model& model = spec.model;
@@ -22,7 +20,19 @@ MeasurementGate::MeasurementGate(const GateSpec& spec)
   last_.q = q_start_;
   last_.v = last_.tau = Eigen::VectorXd::Zero(model.nv);
   last_.wrenches.setZero(6, touches_);
-  support_wrenches_.setZero(6, supports_);
+  for (Eigen::Index i = 0; i < touches_; ++i) {
+    const TouchSensor& touch = spec.touches[to_size(i)];
+    const Sensor sensor{touch.frame, i, touch.sensor == WrenchSensor::Wrench ? 6 : 3};
+    if (touch.sensor == WrenchSensor::None) continue;
+    if (touch.frame != spec.tool) {
+      sensors_.push_back(sensor);
+      continue;
+    }
+    tool_ = sensor;
+    tool_->rows = 3;  // the moment on the tool is not read
+    tool_frame_ = state_.body().frame(spec.tool);
+  }
+  wrenches_.setZero(6, static_cast<Eigen::Index>(sensors_.size()));
 }
 
 void MeasurementGate::reset() noexcept {
@@ -32,7 +42,7 @@ void MeasurementGate::reset() noexcept {
   last_.tau.setZero();
   tool_force_world_.setZero();
   last_.wrenches.setZero();
-  support_wrenches_.setZero();
+  wrenches_.setZero();
   last_.base_lost_for = 0.0;
   started_ = fresh_ = first_ = false;
 }
@@ -54,14 +64,24 @@ bool MeasurementGate::take_state(const Measurement& m) noexcept {
   return true;
 }
 
-/// Returns whether a measurement contains all wrenches that are required: the force on the tool, if
-/// it has a sensor, and the wrenches on the supports with sensors. Without sensors, it may have no
-/// columns.
+/// Returns whether all components of wrenches with a sensor are finite. Without sensors, a
+/// measurement may have no columns.
 bool MeasurementGate::has_wrenches(const Measurement& m) const noexcept {
-  if (sensor_ < 0 && supports_ == 0) return true;
-  return m.wrenches.cols() == touches_ &&
-         (sensor_ < 0 || m.wrenches.col(0).head<3>().allFinite()) &&
-         m.wrenches.rightCols(supports_).allFinite();
+  if (!tool_ && sensors_.empty()) return true;
+  return m.wrenches.cols() == touches_ && (!tool_ || tool_->is_finite(m)) &&
+         std::all_of(sensors_.begin(), sensors_.end(),
+                     [&](const Sensor& sensor) { return sensor.is_finite(m); });
+}
+
+/// Keeps the wrenches that are finite. After a fault, wrenches may be missing.
+void MeasurementGate::take_wrenches(const Measurement& m) noexcept {
+  if (m.wrenches.cols() != touches_) return;
+  for (std::size_t i = 0; i < sensors_.size(); ++i) {
+    const Sensor& sensor = sensors_[i];
+    if (!sensor.is_finite(m)) continue;
+    wrenches_.col(static_cast<Eigen::Index>(i)).head(sensor.rows) =
+        m.wrenches.col(sensor.column).head(sensor.rows);
+  }
 }
 
 bool MeasurementGate::accept(const Measurement& m, FaultLatch& latch, Status& status) noexcept {
@@ -72,9 +92,7 @@ bool MeasurementGate::accept(const Measurement& m, FaultLatch& latch, Status& st
     if (stands_still || !take_state(m)) return false;
     if (std::isfinite(m.time)) last_.time = m.time;
     if (m.tau.size() == last_.tau.size() && m.tau.allFinite()) last_.tau = m.tau;
-    if (supports_ > 0 && m.wrenches.cols() == touches_ &&
-        m.wrenches.rightCols(supports_).allFinite())
-      support_wrenches_ = m.wrenches.rightCols(supports_);
+    take_wrenches(m);
     return true;
   }
   if (stands_still) {
@@ -93,9 +111,9 @@ bool MeasurementGate::accept(const Measurement& m, FaultLatch& latch, Status& st
   }
   last_.tau = m.tau;
   if (m.wrenches.cols() == touches_) last_.wrenches = m.wrenches;
-  if (sensor_ >= 0)
-    tool_force_world_ = state_.body().placement(sensor_).linear() * m.wrenches.col(0).head<3>();
-  if (supports_ > 0) support_wrenches_ = m.wrenches.rightCols(supports_);
+  if (tool_)
+    tool_force_world_ = state_.body().placement(tool_frame_).linear() * m.force_at(tool_->column);
+  take_wrenches(m);
   last_.base_lost_for = m.base_lost_for;
   now_ = last_.time = m.time;
   if (gap > limits_.stale) latch.raise(now_, FaultKind::StaleMeasurement, gap, limits_.stale);
@@ -138,19 +156,19 @@ void MeasurementGate::describe_wrenches(const Measurement& m) noexcept {
                   static_cast<int>(m.wrenches.cols()), static_cast<int>(touches_));
     return;
   }
-  if (sensor_ >= 0 && !m.wrenches.col(0).head<3>().allFinite()) {
+  if (tool_ && !tool_->is_finite(m)) {
     std::snprintf(bad_, sizeof bad_,
-                  "the force on the tool is not finite; wanted a sensor at the tool, force_sensor "
-                  "false, or an empty tool in the MpcSpec");
+                  "the force on the tool '%s' is not finite; wanted a force sensor, or sensor none "
+                  "in MpcSpec.touches",
+                  tool_->frame.c_str());
     return;
   }
-  for (Eigen::Index i = 0; i < supports_; ++i) {
-    if (m.wrenches.col(touches_ - supports_ + i).allFinite()) continue;
+  for (const Sensor& sensor : sensors_) {
+    if (sensor.is_finite(m)) continue;
     std::snprintf(
-        bad_, sizeof bad_,
-        "the wrench on support '%s' is not finite; wanted a sensor of force and moment, or "
-        "support_sensors false",
-        support_names_[to_size(i)].c_str());
+        bad_, sizeof bad_, "the %s at '%s' is not finite; wanted a sensor of %s in MpcSpec.touches",
+        sensor.rows == 3 ? "force" : "wrench", sensor.frame.c_str(),
+        sensor.rows == 3 ? "force, or sensor none" : "force and moment, or sensor force or none");
     return;
   }
 }

@@ -14,18 +14,16 @@ struct GateSpec {
   std::string tool;                   ///< Frame of the tool; empty: the robot has no tool.
   std::string surface_frame;          ///< Robot frame that carries the surface; empty: world.
   Eigen::VectorXd q_start;            ///< Configuration until the first valid measurement.
-  bool force_sensor;                  ///< Whether the force at the tool is measured.
-  std::vector<std::string> touches;   ///< Frames of the columns of Measurement::wrenches.
-  std::vector<std::string> sensors;   ///< Supports with a column, which follow the tool's column.
+  std::vector<TouchSensor> touches;   ///< Columns of Measurement::wrenches.
   SafetyLimits limits;                ///< Only `bad` and `stale` are used.
   double tick_period;                 ///< Time between ticks [s].
 };
 
 /// Gate that checks measurements and keeps the last valid one. A measurement is invalid if it
 /// contains a NaN, an infinity or a vector of wrong size, or if its time does not increase. NaN is
-/// allowed only in the moment on the tool, and in the force on the tool if `force_sensor` is false.
-/// While measurements are invalid, the time advances by one tick period per tick, until one of the
-/// limits `bad` and `stale` is reached.
+/// allowed only in components of wrenches that GateSpec::touches excludes, and in the tool's
+/// moment. While measurements are invalid, the time advances by one tick period per tick, until one
+/// of the limits `bad` and `stale` is reached.
 class MeasurementGate {
  public:
   explicit MeasurementGate(const GateSpec& spec);
@@ -49,8 +47,9 @@ class MeasurementGate {
   /// Returns the force of the surface on the tool at the last valid measurement, in world axes [N].
   /// The force is zero without a tool.
   const Eigen::Vector3d& tool_force_world() const { return tool_force_world_; }
-  /// Returns the wrenches on the supports with sensors at the last valid measurement, 6 x supports.
-  const Wrenches& support_wrenches() const { return support_wrenches_; }
+  /// Returns the wrenches at the last valid measurement, one column per touch with a sensor except
+  /// the tool. A moment that is not measured is zero.
+  const Wrenches& wrenches() const { return wrenches_; }
   /// Sets the force at the tool for robots without a force sensor, in world axes [N].
   void feel(const Eigen::Vector3d& force_world) noexcept { tool_force_world_ = force_world; }
   /// Multiplies the velocity of last() by `factor`. Called while the last valid measurement is old.
@@ -58,7 +57,17 @@ class MeasurementGate {
 
  private:
   bool accept(const Measurement& m, FaultLatch& latch, Status& status) noexcept;
+  /// Touch with a sensor.
+  struct Sensor {
+    std::string frame;
+    Eigen::Index column;  ///< Column of Measurement::wrenches.
+    Eigen::Index rows;    ///< Number of measured components: 3 (force) or 6.
+    bool is_finite(const Measurement& m) const {
+      return m.wrenches.col(column).head(rows).allFinite();
+    }
+  };
   bool has_wrenches(const Measurement& m) const noexcept;
+  void take_wrenches(const Measurement& m) noexcept;
   void describe_defect(const Measurement& m) noexcept;
   void describe_wrenches(const Measurement& m) noexcept;
   template <class Entries>
@@ -68,17 +77,18 @@ class MeasurementGate {
   void bridge(FaultLatch& latch, FaultKind kind, double limit) noexcept;
 
   SafetyLimits limits_;
-  std::vector<std::string> q_names_, v_names_, support_names_;
+  std::vector<std::string> q_names_, v_names_;
   char bad_[160] = "";  ///< Description of what was wrong with the last invalid measurement.
   double tick_period_;
-  int sensor_;             ///< Frame of the force sensor at the tool; -1: none.
-  Eigen::Index touches_;   ///< Number of columns of Measurement::wrenches.
-  Eigen::Index supports_;  ///< Number of supports with measured wrenches.
+  Eigen::Index touches_;        ///< Number of columns of Measurement::wrenches.
+  std::optional<Sensor> tool_;  ///< Force sensor at the tool.
+  int tool_frame_ = -1;
+  std::vector<Sensor> sensors_;  ///< Sensors of the other touches.
   Eigen::VectorXd q_start_;
   RobotState state_;
   Measurement last_;  ///< Last valid measurement, with its own time.
   Eigen::Vector3d tool_force_world_ = Eigen::Vector3d::Zero();
-  Wrenches support_wrenches_;
+  Wrenches wrenches_;
   double now_ = 0.0, dt_ = 0.0;
   bool started_ = false;  ///< True after the first valid measurement, unless a fault came before.
   bool fresh_ = false, first_ = false;

@@ -11,8 +11,8 @@ MpcController::MpcController(MpcSpec spec) : impl_(std::make_unique<Impl>(std::m
 MpcController::~MpcController() = default;
 
 int MpcController::nv() const { return impl_->problem.layout().nv; }
-std::optional<std::vector<std::string>> MpcController::touches() const {
-  return touches_of(impl_->spec);
+std::optional<std::vector<TouchSensor>> MpcController::touches() const {
+  return touch_sensors(impl_->spec);
 }
 void MpcController::reset() noexcept { impl_->reset(); }
 const Command& MpcController::tick(const Measurement& measurement) noexcept {

@@ -52,22 +52,58 @@ void check_limits(const SafetyLimits& limits, double tick_period) {
                 " s; wanted more than tick_period, " + number(tick_period) + " s");
 }
 
+/// Checks the touches: each must be a frame of the robot, stated once.
+void check_touches(const MpcSpec& spec) {
+  const Model& model = spec.problem.model;
+  std::vector<std::string> frames, seen;
+  for (const Frame& frame : model.frames) frames.push_back(frame.name);
+  for (const TouchSensor& touch : spec.touches) {
+    if (!model.has_frame(touch.frame))
+      throw Error("MPC: touch " + in_quotes(touch.frame) + " is not a frame of the robot" +
+                  did_you_mean(touch.frame, frames));
+    if (std::find(seen.begin(), seen.end(), touch.frame) != seen.end())
+      throw Error("MPC: touches has two entries for frame " + in_quotes(touch.frame) +
+                  "; wanted one");
+    seen.push_back(touch.frame);
+  }
+}
+
+/// Returns the support's contact. Throws Error if the problem has none.
+const ContactSpec& contact_of(const ProblemSpec& problem, const std::string& support) {
+  std::vector<std::string> names;
+  for (const ContactSpec& contact : problem.contacts) {
+    if (contact.name == support) return contact;
+    names.push_back(contact.name);
+  }
+  throw Error("MPC: support " + in_quotes(support) + " is not a contact of the problem" +
+              did_you_mean(support, names));
+}
+
+std::string wanted_sensor(const ContactSpec& contact) {
+  return "a sensor of force" + std::string(contact.directions.has_angular() ? " and moment" : "") +
+         " at " + in_quotes(contact.tool) + " (touches)";
+}
+
 /// Checks each support: it must be in contact in every stage, or its wrench must be measured.
 void check_supports(const MpcSpec& spec) {
   const ProblemSpec& problem = spec.problem;
-  std::vector<std::string> names;
-  for (const ContactSpec& contact : problem.contacts) names.push_back(contact.name);
   for (const std::string& support : spec.supports) {
-    if (std::find(names.begin(), names.end(), support) == names.end())
-      throw Error("MPC: support " + in_quotes(support) + " is not a contact of the problem" +
-                  did_you_mean(support, names));
+    const ContactSpec& contact = contact_of(problem, support);
+    const bool is_measured = wrench_column(spec, contact.tool) >= 0;
+    for (const TouchSensor& touch : touch_sensors(spec))
+      if (touch.frame == contact.tool && touch.sensor == WrenchSensor::Force &&
+          contact.directions.has_angular())
+        throw Error("MPC: the sensor at " + in_quotes(touch.frame) +
+                    " measures no moment, but "
+                    "support " +
+                    in_quotes(support) + " holds its rotation; wanted " + wanted_sensor(contact) +
+                    ", or sensor none");
     for (const Stage& stage : problem.stages)
-      if (!spec.support_sensors &&
+      if (!is_measured &&
           std::find(stage.contacts.begin(), stage.contacts.end(), support) == stage.contacts.end())
         throw Error("MPC: stage " + in_quotes(stage.name) +
                     " does not contain the contact of support " + in_quotes(support) +
-                    "; wanted all supports in every stage, or support_sensors true and a measured "
-                    "wrench of each support");
+                    "; wanted this support in every stage, or " + wanted_sensor(contact));
   }
 }
 
@@ -77,9 +113,10 @@ void check_resting(const MpcSpec& spec) {
     if (std::find(spec.supports.begin(), spec.supports.end(), resting) == spec.supports.end())
       throw Error("MPC: resting support " + in_quotes(resting) + " is not one of the supports" +
                   did_you_mean(resting, spec.supports));
-    if (!spec.support_sensors)
+    const ContactSpec& contact = contact_of(spec.problem, resting);
+    if (wrench_column(spec, contact.tool) < 0)
       throw Error("MPC: the force of resting support " + in_quotes(resting) +
-                  " is not measured; wanted support_sensors true");
+                  " is not measured; wanted " + wanted_sensor(contact));
   }
 }
 
@@ -153,16 +190,14 @@ int checked_ticks_per_update(const MpcSpec& spec) {
       throw Error("MPC: " + std::string(name) + " is " + std::to_string(count) +
                   "; wanted at least 1");
   check_torque_limit(spec);
+  check_touches(spec);
   check_supports(spec);
   check_resting(spec);
-  if (!spec.force_sensor && spec.model_error.kind != ModelErrorKind::Torque)
-    throw Error(
-        "MPC: without a force sensor, the force is estimated from torques, and this requires an "
-        "estimate of the torque error; wanted model_error.kind torque");
-  if (!spec.force_sensor && spec.tool.empty())
-    throw Error(
-        "MPC: the force at the tool is to be estimated (force_sensor is false), but tool is empty; "
-        "wanted the frame of the tool, or force_sensor true");
+  if (!spec.tool.empty() && wrench_column(spec, spec.tool) < 0 &&
+      spec.model_error.kind != ModelErrorKind::Torque)
+    throw Error("MPC: without a force sensor at " + in_quotes(spec.tool) +
+                ", its force is estimated from torques, and this requires an estimate of the "
+                "torque error; wanted model_error.kind torque, or a sensor (touches)");
   check_ranges(description_of(&spec.fallback), &spec.fallback,
                [](const std::string& entry) { return "MPC: the fallback's " + entry; });
   check_limits(spec.limits, spec.tick_period);

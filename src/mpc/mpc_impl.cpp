@@ -175,23 +175,22 @@ void MpcController::Impl::process_measurement() noexcept {
                       .schedule = schedule,
                       .command = command_,
                       .dt = gate.dt(),
-                      .tool_force_world = gate.tool_force_world(),
-                      .support_wrenches = gate.support_wrenches()};
+                      .tool_force_world = gate.tool_force_world()};
   const ErrorInput input{.measurement = gate.last(),
                          .tool_force_world = gate.tool_force_world(),
-                         .support_wrenches = gate.support_wrenches(),
+                         .wrenches = gate.wrenches(),
                          .dt = gate.dt(),
                          .target_force = command_.target_force,
                          .sent = ahead_.acted(),
                          .stage = horizon.stage_of(schedule.phase()),
                          .schedule_time = schedule.time(),
                          .waits = schedule.waits()};
-  if (!spec.force_sensor) gate.feel(error.feel(gate.state(), input));
+  if (error.feels()) gate.feel(error.feel(gate.state(), input));
   if (base_ >= 0) rotate_normal();
   const unsigned happened = task->sense(view);
   update_surface();
   error.update(gate.state(), input);
-  grip.update(gate.body(), gate.support_wrenches(), gate.dt());
+  grip.update(gate.body(), gate.wrenches(), gate.dt());
   command_.force_estimate_world = error.force_world();
   command_.friction = error.friction();
   // Until a thread has computed the first plan, the fallback holds the robot, and the clock of the
@@ -453,15 +452,14 @@ void MpcController::Impl::control() noexcept {
     policy.add_feedforward(i, friction);
     command_.tau[k] = u_[i] + friction + error.force_feedback()[k];
   }
-  holding_.soles().keep(gate.support_wrenches(), command_.tau);
+  holding_.soles().keep(gate.wrenches(), command_.tau);
   holding_.release();
 }
 
 void MpcController::Impl::fall_back() noexcept {
   holding_.set_failed_motor(motors_.lost());
   if (!gate.is_fresh()) gate.fade_velocity(std::exp(-spec.fallback.damping * spec.tick_period));
-  holding_.torque(gate.last().q, gate.last().v, gate.is_fresh(), gate.support_wrenches(),
-                  command_.tau);
+  holding_.torque(gate.last().q, gate.last().v, gate.is_fresh(), gate.wrenches(), command_.tau);
   error.joint_friction().rest();
 }
 

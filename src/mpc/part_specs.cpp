@@ -12,11 +12,12 @@
 namespace burnish {
 namespace {
 
-/// Returns the frames of all supports, in the order of MpcSpec::supports; empty if the
-/// specification has no wrench sensors.
+/// Returns the frames of the columns of MeasurementGate::wrenches().
 std::vector<std::string> measured_frames(const MpcSpec& spec) {
-  std::vector<std::string> frames = touches_of(spec);
-  if (!spec.tool.empty()) frames.erase(frames.begin());
+  std::vector<std::string> frames;
+  for (const TouchSensor& touch : touch_sensors(spec))
+    if (touch.frame != spec.tool && touch.sensor != WrenchSensor::None)
+      frames.push_back(touch.frame);
   return frames;
 }
 
@@ -37,28 +38,29 @@ std::vector<double> plan_steps(const MpcSpec& spec) {
   return steps;
 }
 
-/// Returns the column of a support in MeasurementGate::support_wrenches(); -1: no sensor.
-int sensor_of(const MpcSpec& spec, const std::string& support) {
-  if (!spec.support_sensors) return -1;
-  const auto at = std::find(spec.supports.begin(), spec.supports.end(), support);
-  return static_cast<int>(at - spec.supports.begin());
+/// Returns the column of a frame in MeasurementGate::wrenches(); -1: no sensor.
+int sensor_of(const MpcSpec& spec, const std::string& frame) {
+  const std::vector<std::string> frames = measured_frames(spec);
+  const auto at = std::find(frames.begin(), frames.end(), frame);
+  return at == frames.end() ? -1 : static_cast<int>(at - frames.begin());
 }
 
 /// Returns the soles of supports with sensors, from the pressure limits in the first stage.
 std::vector<SoleLimits::Sole> soles_of(const MpcSpec& spec) {
   std::vector<SoleLimits::Sole> soles;
   const ProblemSpec& problem = spec.problem;
-  if (!spec.support_sensors || problem.stages.empty()) return soles;
-  for (std::size_t i = 0; i < spec.supports.size(); ++i) {
-    const std::string& support = spec.supports[i];
+  if (problem.stages.empty()) return soles;
+  for (const std::string& support : spec.supports) {
     const auto contact =
         std::find_if(problem.contacts.begin(), problem.contacts.end(),
                      [&](const ContactSpec& given) { return given.name == support; });
     if (contact == problem.contacts.end()) continue;
+    const int sensor = sensor_of(spec, contact->tool);
+    if (sensor < 0) continue;
     for (const Constraint& rows : problem.stages.front().constraints) {
       const auto* sole = std::get_if<residual::CenterOfPressure>(&rows.residual);
       if (sole == nullptr || sole->contact != support) continue;
-      soles.push_back({contact->tool, static_cast<int>(i), sole->half_x, sole->half_y});
+      soles.push_back({contact->tool, sensor, sole->half_x, sole->half_y});
       break;
     }
   }
@@ -107,7 +109,7 @@ ErrorEstimateSpec error_estimate_spec(const MpcSpec& spec) {
                            .torque_cutoff = {},
                            .normal_world = spec.normal_base,
                            .contact_threshold = spec.contact_threshold,
-                           .force_sensor = spec.force_sensor,
+                           .force_sensor = spec.tool.empty() || wrench_column(spec, spec.tool) >= 0,
                            .supports = supports_of(spec),
                            .held = with_loops(problem.model, supports_of(spec)),
                            .measured = measured_frames(spec),
@@ -129,7 +131,7 @@ std::vector<GripSpec> grip_specs(const MpcSpec& spec) {
     const GroundFigures figures = ground_figures(spec.problem, contact.name);
     result.push_back({.name = contact.name,
                       .frame = contact.tool,
-                      .sensor = sensor_of(spec, contact.name),
+                      .sensor = sensor_of(spec, contact.tool),
                       .friction = figures.friction,
                       .half_x = figures.half_x,
                       .half_y = figures.half_y});
@@ -144,9 +146,7 @@ GateSpec gate_spec(const MpcSpec& spec) {
           .tool = spec.tool,
           .surface_frame = spec.base,
           .q_start = problem.initial_state.head(problem.model.nq),
-          .force_sensor = spec.force_sensor && !spec.tool.empty(),
-          .touches = touches_of(spec),
-          .sensors = spec.support_sensors ? spec.supports : std::vector<std::string>(),
+          .touches = touch_sensors(spec),
           .limits = spec.limits,
           .tick_period = spec.tick_period};
 }
@@ -166,7 +166,7 @@ HoldingSpec holding_spec(const MpcSpec& spec) {
                      .sensors = {},
                      .soles = soles_of(spec)};
   for (const ContactSpec& contact : result.supports)
-    result.sensors.push_back(sensor_of(spec, contact.name));
+    result.sensors.push_back(sensor_of(spec, contact.tool));
   return result;
 }
 

@@ -26,7 +26,7 @@ class SoleLimits {
              double stiffness);
 
   /// Clamps the ankle entries of tau (nv) so that no sole tips under its measured load [Nm].
-  /// `wrenches`: MeasurementGate::support_wrenches().
+  /// `wrenches`: MeasurementGate::wrenches().
   void keep(const Wrenches& wrenches, Eigen::VectorXd& tau) const noexcept;
 
  private:

@@ -5,6 +5,7 @@
 #include "base/descriptions.gen.hpp"
 #include "burnish/mujoco/mujoco_plant.hpp"
 #include "dynamics/descriptions.gen.hpp"
+#include "estimate/descriptions.gen.hpp"
 #include "model/descriptions.gen.hpp"
 #include "sim/descriptions.gen.hpp"
 

@@ -5,6 +5,7 @@
 #include <cmath>
 #include <functional>
 #include <limits>
+#include <set>
 #include <utility>
 
 #include "base/decomposition.hpp"
@@ -135,22 +136,41 @@ class Row {
   double* at_;
 };
 
+/// Throws Error if the touch has no sensor for a component that the controller reads.
+void check_sensor(const TouchSensor& wanted, const TouchSpec& touch) {
+  const bool wants_moment = wanted.sensor == WrenchSensor::Wrench;
+  const bool wants_force = wants_moment || wanted.sensor == WrenchSensor::Force;
+  const WrenchSensor has = touch.measured();
+  if ((wants_moment && has != WrenchSensor::Wrench) || (wants_force && has == WrenchSensor::None))
+    throw Error("the controller reads the " + std::string(wants_moment ? "moment" : "force") +
+                " at " + in_quotes(touch.frame) +
+                ", which the sensor of this touch in the plant's scene does not measure; wanted "
+                "TouchSpec.sensor " +
+                (wants_moment ? "wrench" : "force or wrench") +
+                ", or a controller that does not need it (MpcSpec.touches)");
+}
+
 /// Returns the frames of the columns of Measurement::wrenches. Throws Error for a touch that the
-/// scene does not have.
+/// scene does not have or does not measure.
 std::vector<std::string> measured_touches(const Controller& controller, const SceneSpec& scene) {
   std::vector<std::string> all;
   for (const TouchSpec& touch : scene.touches) all.push_back(touch.frame);
-  std::vector<std::string> wanted = controller.touches().value_or(all);
-  for (const std::string& frame : wanted) {
-    if (std::find(all.begin(), all.end(), frame) != all.end()) continue;
-    const std::string hint = did_you_mean(frame, all);
-    throw Error("the controller reads the wrench at " + in_quotes(frame) +
-                ", which is not a touch of the plant's scene" +
-                (hint.empty() ? "; wanted a touch at this frame, or an empty MpcSpec.tool for a "
-                                "robot without a tool"
-                              : hint));
+  const std::optional<std::vector<TouchSensor>> stated = controller.touches();
+  if (!stated) return all;
+  std::vector<std::string> result;
+  for (const TouchSensor& wanted : *stated) {
+    if (std::find(all.begin(), all.end(), wanted.frame) == all.end()) {
+      const std::string hint = did_you_mean(wanted.frame, all);
+      throw Error("the controller reads the wrench at " + in_quotes(wanted.frame) +
+                  ", which is not a touch of the plant's scene" +
+                  (hint.empty() ? "; wanted a touch at this frame, or an empty MpcSpec.tool for a "
+                                  "robot without a tool"
+                                : hint));
+    }
+    check_sensor(wanted, scene.touch(wanted.frame));
+    result.push_back(wanted.frame);
   }
-  return wanted;
+  return result;
 }
 
 }  // namespace
@@ -479,10 +499,18 @@ std::vector<ClosedLoop::Impl::Signal> ClosedLoop::Impl::signals_of(const Model& 
   return result;
 }
 
+/// Returns the columns of the trace. Throws Error if two have the same name, such as those of the
+/// first tool's force and of a further tool with the frame "force".
 std::vector<TraceColumn> ClosedLoop::Impl::columns_of(const std::vector<Signal>& signals) {
   std::vector<TraceColumn> columns;
+  std::set<std::string> names;
   for (const Signal& signal : signals)
-    columns.insert(columns.end(), signal.columns.begin(), signal.columns.end());
+    for (const TraceColumn& column : signal.columns) {
+      if (!names.insert(column.name).second)
+        throw Error("the trace has two columns " + in_quotes(column.name) +
+                    "; wanted other names of touches and joints");
+      columns.push_back(column);
+    }
   return columns;
 }
 

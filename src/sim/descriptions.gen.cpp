@@ -439,18 +439,6 @@ const Description& description_of(const SurfaceSpec* /*of*/) {
   return all;
 }
 
-const Words& words_of(WrenchSensor /*of*/) {
-  static const Words all{
-      "sim",
-      "WrenchSensor",
-      "Components of a wrench that a sensor measures.",
-      {{"automatic", "Force of a tool, force and moment of a support"},
-       {"none", "No component"},
-       {"force", "Force, but no moment"},
-       {"wrench", "Force and moment"}}};
-  return all;
-}
-
 const Description& description_of(const TouchSpec* /*of*/) {
   using S = TouchSpec;
   static const Description all =

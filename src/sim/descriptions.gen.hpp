@@ -27,7 +27,6 @@ const Description& description_of(const IdealPlantOptions*);
 const Description& description_of(const PlantSnapshot*);
 const Description& description_of(const SurfaceMotion*);
 const Description& description_of(const SurfaceSpec*);
-const Words& words_of(WrenchSensor);
 const Description& description_of(const TouchSpec*);
 const Description& description_of(const SlipperyGround*);
 const Description& description_of(const HoistSpec*);

@@ -77,8 +77,7 @@ class WatchedRest final : public MpcTask {
         rest_(rest),
         contact_lost_(contact_lost),
         frame_(RigidBody(spec.problem.model).frame(rest.frame)),
-        column_(std::find(spec.supports.begin(), spec.supports.end(), rest.frame) -
-                spec.supports.begin()),
+        column_(wrench_column(spec, rest.frame)),
         of_task_(task_->watched().size()) {
     rest_.normal_world.normalize();
     force_ = rest_.force;
@@ -104,11 +103,8 @@ class WatchedRest final : public MpcTask {
     slip_ = pressing::slid(contact_, now, rest_.normal_world, rest_.radius).norm();
     // Averaging time of the force [s], equal to that of hands in push_wall.
     constexpr double window = 10e-3;
-    const auto& wrenches = view.support_wrenches;
-    if (column_ < wrenches.cols()) {
-      const Eigen::Vector3d force_world = now.linear() * wrenches.col(column_).head<3>();
-      force_ += -std::expm1(-view.dt / window) * (force_world.dot(rest_.normal_world) - force_);
-    }
+    const Eigen::Vector3d force_world = now.linear() * view.measurement.force_at(column_);
+    force_ += -std::expm1(-view.dt / window) * (force_world.dot(rest_.normal_world) - force_);
     return task_->sense(view);
   }
   const Quadric* surface() const noexcept override { return task_->surface(); }
@@ -142,7 +138,7 @@ class WatchedRest final : public MpcTask {
   RestingHand rest_;
   double contact_lost_;   ///< Longest time without force [s].
   int frame_;             ///< Frame of the hand.
-  Eigen::Index column_;   ///< Column of the hand in TaskView::support_wrenches.
+  int column_;            ///< Column of the hand in Measurement::wrenches.
   std::size_t of_task_;   ///< Number of quantities that the task monitors.
   bool started_ = false;  ///< Whether `contact_` is set.
   double force_ = 0.0;    ///< Mean normal force of the hand [N].
@@ -243,6 +239,7 @@ void set_resting(const Task& task, MpcSpec& mpc) {
   if (!task.rest.is_stated()) return;
   mpc.supports.push_back(task.rest.frame);
   mpc.resting_supports = {task.rest.frame};
+  mpc.touches.push_back({task.rest.frame});
   mpc.task = [make = mpc.task, rest = task.rest,
               lost = task.tool_limits.contact_lost](const MpcSpec& spec) {
     return std::make_unique<WatchedRest>(make(spec), spec, rest, lost);

@@ -333,7 +333,7 @@ void set_controller(const Task& task, const Model& model, MpcSpec& mpc) {
   mpc.torque_limit = pressing::torque_limit(model, task.constraints);
   mpc.model_error = task.model_error;
   mpc.friction_estimate = task.friction_estimate;
-  mpc.force_sensor = task.force_sensor;
+  mpc.touches = {{mpc.tool, task.force_sensor ? WrenchSensor::Force : WrenchSensor::None}};
   mpc.limits = task.limits;
   mpc.fallback = task.fallback;
   mpc.feedback = task.feedback;

@@ -67,7 +67,9 @@ class AdmittanceController final : public Controller {
   AdmittanceController(const Model& model, const AdmittanceSpec& spec);
 
   int nv() const override { return tree_.nv; }
-  std::optional<std::vector<std::string>> touches() const override { return {{spec_.path.tool}}; }
+  std::optional<std::vector<TouchSensor>> touches() const override {
+    return {{{spec_.path.tool, WrenchSensor::Force}}};
+  }
   void reset() noexcept override;
   const Command& tick(const Measurement& measurement) noexcept override;
 

@@ -28,7 +28,7 @@ class Stopwatch final : public Controller {
     times_.reserve(to_size(ticks / static_cast<double>(every_)) + 2);
   }
   int nv() const override { return timed_->nv(); }
-  std::optional<std::vector<std::string>> touches() const override { return timed_->touches(); }
+  std::optional<std::vector<TouchSensor>> touches() const override { return timed_->touches(); }
   Status set_payload(std::string_view frame, const InertiaSpec& payload) override {
     return timed_->set_payload(frame, payload);
   }

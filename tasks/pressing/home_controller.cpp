@@ -55,7 +55,7 @@ class HomeController final : public Controller {
   }
 
   int nv() const override { return tree_.nv; }
-  std::optional<std::vector<std::string>> touches() const override { return then_.touches(); }
+  std::optional<std::vector<TouchSensor>> touches() const override { return then_.touches(); }
   Status set_payload(std::string_view frame, const InertiaSpec& payload) override {
     const Status status = then_.set_payload(frame, payload);
     return status == Status::Ok ? dynamics_.set_payload(frame, payload) : status;

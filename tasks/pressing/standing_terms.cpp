@@ -194,7 +194,8 @@ std::vector<CostTerm> standing_costs(const Model& model, const Standing& standin
 void set_standing(const Standing& standing, MpcSpec& mpc) {
   if (!standing.stands()) return;
   mpc.supports = standing.feet;
-  mpc.support_sensors = standing.force_sensors;
+  if (standing.force_sensors)
+    for (const std::string& foot : standing.feet) mpc.touches.push_back({foot});
   mpc.settle = standing.settle;
   mpc.slip = standing.slip;
   mpc.slip.radius = standing.has_soles() ? 0.0 : standing.radius;

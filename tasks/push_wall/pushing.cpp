@@ -30,7 +30,10 @@ Pushing::Pushing(const MpcSpec& spec, const Task& task, const Setting& setting,
       start_height_(setting.com.z()),
       statics_(make_statics(task, setting)) {
   const RigidBody body(spec.problem.model);
-  for (std::size_t h = 0; h < 2; ++h) hands_[h].frame = body.frame(task.hands[h]);
+  for (std::size_t h = 0; h < 2; ++h) {
+    hands_[h].frame = body.frame(task.hands[h]);
+    hands_[h].column = wrench_column(spec, task.hands[h]);
+  }
   for (const std::string& foot : task.standing.feet) {
     feet_.push_back(body.frame(foot));
     p_feet_.push_back(frame_placement(spec.problem.model, setting.q_start, foot).translation());
@@ -57,7 +60,7 @@ std::vector<WatchedQuantity> Pushing::watched() const {
 }
 
 void Pushing::reset() noexcept {
-  for (Hand& hand : hands_) hand = {.frame = hand.frame};
+  for (Hand& hand : hands_) hand = {.frame = hand.frame, .column = hand.column};
   behind_ = infeasible_ = late_ = unchecked_ = short_ = 0.0;
   search_->reached = -1.0;
   search_->limit = 0;
@@ -65,13 +68,9 @@ void Pushing::reset() noexcept {
 }
 
 void Pushing::filter_forces(const TaskView& view) noexcept {
-  const auto& wrenches = view.support_wrenches;
-  const auto first = static_cast<Eigen::Index>(feet_.size());
-  if (wrenches.cols() != first + 2) return;
-  for (int h = 0; h < 2; ++h) {
-    Hand& hand = hands_[to_size(h)];
+  for (Hand& hand : hands_) {
     const Eigen::Vector3d f_world =
-        view.body.placement(hand.frame).linear() * wrenches.col(first + h).head<3>();
+        view.body.placement(hand.frame).linear() * view.measurement.force_at(hand.column);
     const double force = f_world.dot(setting_.wall_axes.col(2));
     low_pass(hand.quick, force, view.dt, 5e-3);
     low_pass(hand.touch, force, view.dt, 10e-3);

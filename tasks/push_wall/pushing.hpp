@@ -39,6 +39,7 @@ class Pushing final : public MpcTask {
  private:
   struct Hand {
     int frame = -1;
+    int column = -1;                  ///< Column of Measurement::wrenches.
     double quick = 0.0, touch = 0.0;  ///< Normal force, low-passed with 5 and 10 ms [N].
     double without = 0.0;             ///< Time without contact force [s].
     double felt = 0.0;  ///< Largest `touch` since contact was due, or since it was lost [N].

@@ -349,7 +349,7 @@ MpcSpec make_mpc(const Task& task, const Setting& setting, Shared force_search) 
   }
   pressing::set_standing(task.standing, mpc);
   mpc.supports.insert(mpc.supports.end(), task.hands.begin(), task.hands.end());
-  mpc.support_sensors = true;  // needed, because hands are not always in contact
+  for (const std::string& hand : task.hands) mpc.touches.push_back({hand});
   mpc.problem.initial_state = build.state_target();
   mpc.problem.stages = build.stages();
   mpc.problem.terminal = build.everywhere();

@@ -22,7 +22,7 @@ void update(ErrorEstimate& estimate, MeasurementGate& gate, double target,
             const Eigen::VectorXd& acted, int stage) {
   estimate.update(gate.state(), {.measurement = gate.last(),
                                  .tool_force_world = gate.tool_force_world(),
-                                 .support_wrenches = gate.support_wrenches(),
+                                 .wrenches = gate.wrenches(),
                                  .dt = gate.dt(),
                                  .target_force = target,
                                  .sent = acted,

@@ -115,7 +115,7 @@ TEST(MeasurementGate, InvalidMeasurement_IsNamedInTheReport) {
   expect_words(text_of([](Measurement& m) { m.v.conservativeResize(3); }),
                {"v has 3 entries; wanted 7"});
   expect_words(text_of([=](Measurement& m) { m.wrenches(0, 0) = nan; }),
-               {"the force on the tool is not finite", "empty tool in the MpcSpec"});
+               {"the force on the tool 'tool' is not finite", "sensor none", "MpcSpec.touches"});
   expect_words(text_of([](Measurement& m) { m.wrenches.resize(6, 0); }),
                {"wrenches has 0 columns; wanted 1, one per entry of the controller's touches"});
   expect_words(text_of([=](Measurement& m) { m.time = nan; }),

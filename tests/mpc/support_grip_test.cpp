@@ -19,6 +19,8 @@ using Eigen::VectorXd;
 const std::vector<std::string> soles{"left_sole_link", "right_sole_link"};
 constexpr double cone = 0.5, tick_period = 1e-3;
 
+std::vector<TouchSensor> measured_soles() { return {{soles[0]}, {soles[1]}}; }
+
 /// Biped that sways sideways within the friction cones and support areas of its feet.
 MpcSpec swaying(const Model& model, const VectorXd& q) {
   MpcSpec spec;
@@ -34,7 +36,7 @@ MpcSpec swaying(const Model& model, const VectorXd& q) {
   spec.schedule = {{.name = "stand", .stage = "stand"}};
   spec.tool.clear();
   spec.supports = soles;
-  spec.support_sensors = true;
+  spec.touches = measured_soles();
   spec.tick_period = tick_period;
   spec.update_period = 0.01;
   spec.model_error.kind = ModelErrorKind::None;
@@ -51,7 +53,7 @@ class SupportGrip : public ::testing::Test {
     mpc = std::make_unique<MpcController>(spec);
     measured.q = q;
     measured.v = measured.tau = VectorXd::Zero(model.nv);
-    measured.wrenches.setZero(6, spec.support_sensors ? 2 : 0);
+    measured.wrenches.setZero(6, static_cast<Eigen::Index>(spec.touches.size()));
     torque_scale.setOnes(model.nv);
   }
   const Command& step(double speed, double friction_ratio) {
@@ -81,33 +83,83 @@ class SupportGrip : public ::testing::Test {
 
 using Frames = std::vector<std::string>;
 
-TEST_F(SupportGrip, Touches_AreTheToolAndThenTheMeasuredSupports) {
+TEST_F(SupportGrip, Touches_AreTheToolAndThenTheStatedOnes) {
   for (const bool tool : {false, true})
     for (const bool sensors : {false, true}) {
       MpcSpec spec = swaying(model, q);
       spec.tool = tool ? "tool" : "";
-      spec.support_sensors = sensors;
+      if (!sensors) spec.touches.clear();
       Frames expected;
       if (tool) expected.push_back("tool");
       if (sensors) expected.insert(expected.end(), soles.begin(), soles.end());
       EXPECT_EQ(touches_of(spec), expected) << tool << sensors;
-      EXPECT_EQ(MpcController(spec).touches(), expected) << tool << sensors;
+      Frames read;
+      const auto touches = MpcController(spec).touches();
+      ASSERT_TRUE(touches.has_value());
+      for (const TouchSensor& touch : *touches) read.push_back(touch.frame);
+      EXPECT_EQ(read, expected) << tool << sensors;
     }
 }
 
-TEST_F(SupportGrip, TouchesOfASpecification_AreFramesInTheOrderOfItsSupports) {
+TEST_F(SupportGrip, ColumnOfAFrame_IsItsPlaceAmongTheTouchesIfItIsMeasured) {
   MpcSpec spec = swaying(model, q);
-  std::swap(spec.supports[0], spec.supports[1]);
-  EXPECT_EQ(touches_of(spec), (Frames{soles[1], soles[0]}));
-  // The contact has another name than its frame.
-  spec.problem.contacts[0].name = spec.supports[1] = "left foot";
-  EXPECT_EQ(touches_of(spec), (Frames{soles[1], soles[0]}));
-  spec.supports.push_back("no contact");
-  EXPECT_EQ(touches_of(spec), (Frames{soles[1], soles[0]}));
-  // The tool is a touch even if its force is estimated.
   spec.tool = "tool";
-  spec.force_sensor = false;
-  EXPECT_EQ(touches_of(spec), (Frames{"tool", soles[1], soles[0]}));
+  EXPECT_EQ(wrench_column(spec, "tool"), 0);
+  EXPECT_EQ(wrench_column(spec, soles[1]), 2);
+  spec.touches = {{soles[0]}, {"tool", WrenchSensor::None}, {soles[1], WrenchSensor::None}};
+  EXPECT_EQ(touches_of(spec), (Frames{soles[0], "tool", soles[1]}));
+  EXPECT_EQ(wrench_column(spec, soles[0]), 0);
+  for (const std::string& frame : {std::string("tool"), soles[1], std::string("no frame")})
+    EXPECT_EQ(wrench_column(spec, frame), -1) << frame;
+}
+
+TEST_F(SupportGrip, TouchesThatDoNotFit_AreRefused) {
+  const auto refused = [&](const std::function<void(MpcSpec&)>& change) {
+    MpcSpec spec = swaying(model, q);
+    change(spec);
+    return testing::refusal([&] { MpcController controller(spec); });
+  };
+  testing::expect_words(refused([](MpcSpec& s) { s.touches[0].frame = "left_sole_lnk"; }),
+                        {"touch 'left_sole_lnk'", "'left_sole_link'"});
+  testing::expect_words(refused([](MpcSpec& s) { s.touches[1] = s.touches[0]; }),
+                        {"two entries", soles[0]});
+  testing::expect_words(refused([](MpcSpec& s) { s.touches[1].sensor = WrenchSensor::Force; }),
+                        {soles[1], "no moment", "force and moment"});
+  testing::expect_words(refused([](MpcSpec& s) {
+                          s.problem.stages.push_back(s.problem.stages[0]);
+                          s.problem.stages[1].name = "left foot lifted";
+                          s.problem.stages[1].contacts = {soles[1]};
+                          s.touches.erase(s.touches.begin());
+                        }),
+                        {"'left foot lifted'", "support '" + soles[0], "touches"});
+}
+
+/// One foot has a sensor. The other foot is held by its contact.
+TEST_F(SupportGrip, OneMeasuredFoot_StandsStillAndSlipsAsWithTwo) {
+  MpcSpec spec = swaying(model, q);
+  spec.touches = {{soles[1]}};
+  spec.model_error.kind = ModelErrorKind::Torque;
+  spec.limits.torque_gap = infinity;
+  MpcController controller(spec);
+  Measurement m;
+  m.q = q;
+  m.v = m.tau = VectorXd::Zero(model.nv);
+  m.wrenches.setZero(6, 1);
+  m.wrenches(2, 0) = 0.5 * model.total_mass() * 9.81;
+  double largest = 0.0;
+  for (int tick = 0; tick < 200; ++tick) {
+    m.time = tick_period * tick;
+    const Command& command = controller.tick(m);
+    EXPECT_TRUE(is_usable(command.status));
+    m.tau = command.tau;
+    largest = std::max(largest, command.tau.cwiseAbs().maxCoeff());
+  }
+  EXPECT_EQ(controller.fault().kind, FaultKind::None) << controller.fault().text();
+  EXPECT_LT(largest, 500.0);
+  m.time += tick_period;
+  m.wrenches(4, 0) = std::nan("");
+  (void)controller.tick(m);
+  EXPECT_FALSE(is_usable(controller.tick(m).status)) << "the moment of this foot is needed";
 }
 
 /// A controller with a tool reads the wrenches on the feet from the columns after the first.
@@ -148,9 +200,9 @@ TEST_F(SupportGrip, RestingSupport_CarriesNothing) {
   testing::expect_words(testing::refusal([&] { MpcController controller(spec); }),
                         {"resting support", "right_sol", "not one of the supports"});
   spec.resting_supports = {left};
-  spec.support_sensors = false;
+  spec.touches = {{right}};
   testing::expect_words(testing::refusal([&] { MpcController controller(spec); }),
-                        {left, "not measured", "support_sensors true"});
+                        {left, "not measured", "sensor of force and moment", "touches"});
 }
 
 TEST_F(SupportGrip, SlippingFeet_LowerThePlannedFriction) {
@@ -192,7 +244,7 @@ TEST_F(SupportGrip, NoiseAndSlowCreep_AreNotTakenForSlip) {
 
 TEST_F(SupportGrip, SlipWithoutFootSensors_LowersTheFrictionWithTime) {
   MpcSpec spec = swaying(model, q);
-  spec.support_sensors = false;
+  spec.touches.clear();
   make(spec);
   steps(20, 0.0, 0.0);
   steps(80, 0.08, 0.0);

@@ -397,17 +397,10 @@ TEST(MpcController, InvalidSpec_IsRefused) {
                {"first_iterations", "is 0; wanted at least 1"});
   expect_words(with([](S& s) { s.fallback.damping = -1.0; }), {"damping", "-1"});
   expect_words(with([](S& s) {
-                 s.force_sensor = false;
+                 s.touches = {{s.tool, WrenchSensor::None}};
                  s.model_error.kind = ModelErrorKind::Force;
                }),
-               {"without a force sensor", "model_error.kind torque"});
-  expect_words(with([](S& s) {
-                 s.force_sensor = false;
-                 s.tool.clear();
-                 s.task = {};
-                 for (SchedulePhase& phase : s.schedule) phase.until.clear();
-               }),
-               {"force_sensor is false", "tool is empty"});
+               {"without a force sensor", "model_error.kind torque", "touches"});
   expect_words(with([&](S& s) { s.fallback.stiffness = nan; }), {"stiffness", "nan", "at least 0"});
   expect_words(with([](S& s) { s.fallback.saturation_fraction = 1.5; }),
                {"saturation_fraction", "1.5", "between 0 and 1"});

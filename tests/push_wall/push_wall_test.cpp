@@ -102,14 +102,14 @@ TEST(PushWall, StartPosture_PutsBothHandsAtTheClearance) {
   EXPECT_EQ(s.scene.supports().size(), 4U);
 }
 
-TEST(PushWall, HandsInSomeStagesOnly_NeedSupportSensors) {
+TEST(PushWall, HandsInSomeStagesOnly_NeedForceSensors) {
   const Task task = talos_task();
   MpcSpec mpc = make_mpc(task, make_setting(task));
   EXPECT_EQ(refusal([&] { MpcController fits(mpc); }), "");
-  mpc.support_sensors = false;
-  expect_words(
-      refusal([&] { MpcController wrong(mpc); }),
-      {"stage 'stand' does not contain the contact of support 'left_tool'", "support_sensors"});
+  mpc.touches.resize(2);  // the feet
+  expect_words(refusal([&] { MpcController wrong(mpc); }),
+               {"stage 'stand' does not contain the contact of support 'left_tool'",
+                "a sensor of force at 'left_tool'"});
 }
 
 TEST(PushWall, RollingHand_DoesNotCountAsSlip) {

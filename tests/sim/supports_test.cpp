@@ -129,7 +129,7 @@ TEST_P(Supports, FootSensors_MeasureTheWrenchesOfFeet) {
     const auto plant = make_mujoco_plant(robot.model, scene);
     for (const bool all : {true, false}) {
       ConstantTorque limp = no_torque(robot.model);
-      if (!all) limp = ConstantTorque(zero, std::vector<std::string>(feet.begin(), feet.end()));
+      if (!all) limp = ConstantTorque(zero, touches_at({feet.begin(), feet.end()}));
       ClosedLoop loop(*plant, limp, {}, {.max_duration = 0.02});
       ASSERT_EQ(loop.reset(robot.reference_configuration(), zero), Status::Ok);
       ASSERT_EQ(loop.run(0.02), Status::Ok);

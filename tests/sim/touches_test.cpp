@@ -10,6 +10,7 @@
 #include "burnish/mujoco/mujoco_plant.hpp"
 #include "burnish/robots/robot.hpp"
 #include "burnish/sim/closed_loop.hpp"
+#include "support/arm7.hpp"
 #include "support/constant_torque.hpp"
 #include "support/plant_touch.hpp"
 #include "support/refusal.hpp"
@@ -21,7 +22,6 @@ using Eigen::Vector3d;
 using Eigen::VectorXd;
 using testing::expect_words;
 using testing::refusal;
-using Names = std::vector<std::string>;
 
 /// Two arms with a tip in each hand. The right tip presses on a plane, the left one on a sphere.
 class TwoTools : public ::testing::TestWithParam<MujocoContact> {
@@ -220,14 +220,14 @@ TEST_P(TwoTools, Controller_ReceivesTheWrenchesThatItReadsInItsOrder) {
   ASSERT_EQ(all.cols(), 2);
   expect_column(all, 0, 0);
   expect_column(all, 1, 1);
-  const Wrenches reversed = measured(Names{"left_tool", "tool"}, truth);
+  const Wrenches reversed = measured(touches_at({"left_tool", "tool"}), truth);
   ASSERT_EQ(reversed.cols(), 2);
   expect_column(reversed, 0, 1);
   expect_column(reversed, 1, 0);
-  const Wrenches left = measured(Names{"left_tool"}, truth);
+  const Wrenches left = measured(touches_at({"left_tool"}), truth);
   ASSERT_EQ(left.cols(), 1);
   expect_column(left, 0, 1);
-  EXPECT_EQ(measured(Names{}, truth).cols(), 0);
+  EXPECT_EQ(measured(touches_at({}), truth).cols(), 0);
 }
 
 TEST_P(TwoTools, TouchWithoutSensorOrReader_IsNotMeasured) {
@@ -248,17 +248,34 @@ TEST_P(TwoTools, TouchWithoutSensorOrReader_IsNotMeasured) {
   const Eigen::Vector2d without_sensor = forces(blind, std::nullopt);
   EXPECT_GT(std::abs(without_sensor[0]), 1.0);
   EXPECT_TRUE(std::isnan(without_sensor[1]));
-  const Eigen::Vector2d without_reader = forces(scene, Names{"tool"});
+  const Eigen::Vector2d without_reader = forces(scene, touches_at({"tool"}));
   EXPECT_GT(std::abs(without_reader[0]), 1.0);
   EXPECT_TRUE(std::isnan(without_reader[1]));
 }
 
 TEST_P(TwoTools, ControllerWithAnUnknownTouch_IsRefusedWithTheNearestName) {
   const auto plant = plant_of(scene);
-  ConstantTorque controller(tau, Names{"tool", "left_tol"});
+  ConstantTorque controller(tau, touches_at({"tool", "left_tol"}));
   expect_words(refusal([&] { ClosedLoop(*plant, controller); }),
                {"the controller reads", "'left_tol'", "not a touch of the plant's scene",
                 "did you mean 'left_tool'"});
+}
+
+TEST_P(TwoTools, ControllerThatNeedsAMissingSensor_IsRefused) {
+  const auto refused = [&](WrenchSensor sensor, WrenchSensor wanted) {
+    SceneSpec with = scene;
+    with.touches[1].sensor = sensor;
+    const auto plant = plant_of(with);
+    ConstantTorque controller(tau, std::vector<TouchSensor>{{"tool"}, {"left_tool", wanted}});
+    return refusal([&] { ClosedLoop(*plant, controller); });
+  };
+  using enum WrenchSensor;
+  expect_words(refused(None, Force), {"the force at 'left_tool'", "TouchSpec.sensor force"});
+  expect_words(refused(None, Wrench), {"the moment at 'left_tool'", "wrench"});
+  expect_words(refused(Force, Wrench), {"the moment at 'left_tool'", "MpcSpec.touches"});
+  for (const WrenchSensor wanted : {Automatic, None, Force}) EXPECT_EQ(refused(Force, wanted), "");
+  EXPECT_EQ(refused(None, Automatic), "");
+  EXPECT_EQ(refused(Wrench, Wrench), "");
 }
 
 TEST_P(TwoTools, SensorNoise_DependsOnTheSensor) {
@@ -277,6 +294,23 @@ TEST_P(TwoTools, SensorNoise_DependsOnTheSensor) {
   EXPECT_EQ(noise_of([](Disturbances& d) { d.force_noise = 1.0; }), "force ");
   EXPECT_EQ(noise_of([](Disturbances& d) { d.support_force_noise = 1.0; }), "wrench's force ");
   EXPECT_EQ(noise_of([](Disturbances& d) { d.support_moment_noise = 1.0; }), "moment ");
+}
+
+TEST(TouchNames, FrameThatRepeatsAColumn_IsRefused) {
+  for (const bool repeats : {false, true}) {
+    const std::string second = repeats ? "force" : "probe";
+    ModelOptions options = arm7::options(Base::Fixed);
+    options.frames.push_back({second, "flange", Eigen::Isometry3d::Identity()});
+    const Model model = build_model(arm7::tree(), options);
+    const auto plant =
+        make_mujoco_plant(model, {.touches = {round_tip("tool"), round_tip(second)}});
+    ConstantTorque limp = no_torque(model);
+    const std::string refused = refusal([&] { ClosedLoop(*plant, limp); });
+    if (repeats)
+      expect_words(refused, {"two columns 'tool_force_x_world'", "touches"});
+    else
+      EXPECT_EQ(refused, "");
+  }
 }
 
 INSTANTIATE_TEST_SUITE_P(contacts, TwoTools,

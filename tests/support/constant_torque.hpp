@@ -13,8 +13,8 @@ namespace burnish::test {
 
 class ConstantTorque final : public Controller {
  public:
-  using Touches = std::optional<std::vector<std::string>>;
-  /// `touches`: frames whose wrenches the controller reads; by default all touches of the plant.
+  using Touches = std::optional<std::vector<TouchSensor>>;
+  /// `touches`: touches whose wrenches the controller reads; by default all touches of the plant.
   explicit ConstantTorque(const Eigen::VectorXd& tau, Touches touches = std::nullopt)
       : touches_(std::move(touches)) {
     command_.tau = tau;
@@ -28,6 +28,13 @@ class ConstantTorque final : public Controller {
   Command command_;
   Touches touches_;
 };
+
+/// Returns touches at frames, of which the controller reads what is measured.
+inline std::vector<TouchSensor> touches_at(const std::vector<std::string>& frames) {
+  std::vector<TouchSensor> result;
+  for (const std::string& frame : frames) result.push_back({frame});
+  return result;
+}
 
 /// Controller without torque.
 inline ConstantTorque no_torque(const Model& model) {

@@ -58,7 +58,7 @@ class Watched final : public Controller {
  public:
   explicit Watched(Controller& inner) : inner_(&inner) {}
   int nv() const override { return inner_->nv(); }
-  std::optional<std::vector<std::string>> touches() const override { return inner_->touches(); }
+  std::optional<std::vector<TouchSensor>> touches() const override { return inner_->touches(); }
   void reset() noexcept override {
     inner_->reset();
     allocations = 0;

@@ -4,11 +4,31 @@
 #include <Eigen/Core>
 #include <limits>
 #include <optional>
+#include <string>
 
 #include "burnish/base/views.hpp"
 #include "burnish/estimate/imu.hpp"
 
 namespace burnish {
+
+/// Components of a wrench that a sensor measures.
+/// @described mpc
+enum class WrenchSensor {
+  Automatic,  ///< Force of a tool, force and moment of a support
+  None,       ///< No component
+  Force,      ///< Force, but no moment
+  Wrench,     ///< Force and moment
+};
+
+/// Wrench sensor at a touch of the robot (tool, foot or hand).
+/// @described mpc
+struct TouchSensor {
+  /// Frame of the touch
+  std::string frame = {};
+  /// Components that the controller reads
+  /// @more Automatic: the force on the tool of the controller, force and moment on other touches
+  WrenchSensor sensor = WrenchSensor::Automatic;
+};
 
 /// Sensor values at one tick.
 /// @described mpc

@@ -120,7 +120,8 @@ class TorqueErrorObserver {
   ///
   /// Torque errors that act within kinematic loops and do not move the robot are not estimated.
   /// Torque errors that supports balance are estimated only if the wrenches of the supports are
-  /// measured. Throws Error for an unknown frame and for options out of range.
+  /// measured. Supports whose frames are not in `measured` stay closed contacts. Throws Error for
+  /// an unknown frame and for options out of range.
   TorqueErrorObserver(const Model& model, const std::string& tool, const ModelErrorOptions& options,
                       const std::vector<ContactSpec>& supports = {},
                       const std::vector<std::string>& measured = {}, const std::string& base = {});

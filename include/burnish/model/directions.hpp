@@ -45,6 +45,8 @@ struct Directions {
     for (int d = 0; d < 6; ++d) n += has(d) ? 1 : 0;
     return n;
   }
+  /// Returns true if a rotation is among the directions.
+  constexpr bool has_angular() const { return (bits & angular().bits) != 0; }
   constexpr bool operator==(const Directions&) const = default;
 };
 

@@ -60,10 +60,11 @@ class Controller {
  public:
   virtual ~Controller() = default;
   virtual int nv() const = 0;
-  /// Returns the frames of the touches (tool or feet) whose wrenches the controller reads, in the
-  /// order of the columns of Measurement::wrenches. If the result has no value, there is a column
-  /// for each touch of the plant's scene.
-  virtual std::optional<std::vector<std::string>> touches() const { return std::nullopt; }
+  /// Returns the touches (tool or feet) whose wrenches the controller reads, in the order of the
+  /// columns of Measurement::wrenches. If the result has no value, there is a column for each touch
+  /// of the plant's scene. A ClosedLoop refuses a controller that reads a component without a
+  /// sensor in the scene. WrenchSensor::Automatic stands for the components with a sensor.
+  virtual std::optional<std::vector<TouchSensor>> touches() const { return std::nullopt; }
   /// Forgets all previous ticks.
   virtual void reset() noexcept = 0;
   /// Returns the command for a measurement. The returned object is valid until the next call. After

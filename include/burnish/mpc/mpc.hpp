@@ -67,8 +67,8 @@ class MpcController final : public Controller {
   ~MpcController() override;
 
   int nv() const override;
-  /// Returns the result of touches_of() for the specification.
-  std::optional<std::vector<std::string>> touches() const override;
+  /// Returns the result of touch_sensors() for the specification.
+  std::optional<std::vector<TouchSensor>> touches() const override;
   void reset() noexcept override;
   const Command& tick(const Measurement& measurement) noexcept override;
 

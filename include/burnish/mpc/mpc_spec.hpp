@@ -3,9 +3,11 @@
 
 #include <limits>
 #include <string>
+#include <string_view>
 #include <vector>
 
 #include "burnish/estimate/friction_estimate.hpp"
+#include "burnish/estimate/measurement.hpp"
 #include "burnish/estimate/model_error.hpp"
 #include "burnish/estimate/slip.hpp"
 #include "burnish/mpc/task.hpp"
@@ -114,7 +116,6 @@ struct MpcSpec {
   /// Function that creates the task, which defines events and monitored quantities; none: no task
   MakeTask task = {};
   /// Frame of the tool; empty: the robot has no tool
-  /// @more The wrench on the tool is the first column of Measurement.wrenches
   std::string tool = "tool";
   /// Robot frame that carries the surface, such as a hand that holds a plate; empty: the world
   /// @more The reaction to the force on the tool acts on this frame
@@ -124,27 +125,26 @@ struct MpcSpec {
   /// @more The normal points towards the robot. Friction acts perpendicular to the normal
   Eigen::Vector3d normal_base = Eigen::Vector3d::UnitZ();
   /// Normal force above which the tool counts as in contact [N]
-  /// @after force_sensor
+  /// @after touches
   double contact_threshold = 2.0;
   /// Names of the contacts that the robot stands on or leans against
   /// @more The fallback and the estimators use the supports that are in contact in every stage. A
   /// robot with a floating base needs at least one such support. Supports that are in contact only
-  /// in some stages, such as hands on a wall, require support_sensors
+  /// in some stages, such as hands on a wall, require a sensor (`touches`)
   std::vector<std::string> supports = {};
   /// Entries of `supports` that press with a planned force, such as a hand on a table
   /// @more The fallback does not use these supports, even if they are in contact in every stage,
-  /// because the fallback would load a hand like a foot. These supports require support_sensors
+  /// because the fallback would load a hand like a foot. These supports require a sensor
+  /// (`touches`)
   std::vector<std::string> resting_supports = {};
-  /// Whether Measurement.wrenches has a column for each support, after the column of the tool
-  /// @more All supports then need a sensor of force and moment: a NaN in one of these columns makes
-  /// the measurement invalid. Torque errors are estimated in all joints, including the joints of
-  /// supporting legs
-  bool support_sensors = false;
-  /// Whether the force on the tool is measured; if false, it is estimated
-  /// @more If false, the column of the tool is not read. The force is estimated from the change of
-  /// the torque error at contact. The estimate uses torques, positions and velocities, and requires
-  /// that model_error.kind is `torque`
-  bool force_sensor = true;
+  /// Sensors of the tool, feet and hands, one per column of Measurement.wrenches
+  /// @more A NaN in a component with a sensor makes the measurement invalid. A tool without an
+  /// entry has a force sensor, and the first column. If the tool's entry states the sensor `none`,
+  /// the force on the tool is estimated from the change of the torque error at contact. This
+  /// estimate requires that model_error.kind is `torque`. With a sensor at each support, torque
+  /// errors are estimated in all joints, including the joints of supporting legs. A support whose
+  /// rotation is free, such as a point foot, needs no sensor of moments
+  std::vector<TouchSensor> touches = {};
   /// Time between ticks [s]
   double tick_period = 5e-4;
   /// Time between solves, a multiple of the tick period [s]
@@ -196,9 +196,14 @@ struct MpcSpec {
   bool feedback = true;
 };
 
-/// Returns the frames of the columns of Measurement::wrenches: first the tool, unless `tool` is
-/// empty. If `support_sensors` is true, the tool frames of the contacts in `supports` follow, in
-/// the order of `supports`. In a simulation, the scene must have a touch (TouchSpec) at each frame.
+/// Returns the sensors of the columns of Measurement::wrenches: the entries of MpcSpec::touches,
+/// and before them a force sensor for a tool that has no entry. WrenchSensor::Automatic is replaced
+/// with the components that it stands for.
+std::vector<TouchSensor> touch_sensors(const MpcSpec& spec);
+/// Returns the frames of touch_sensors(). In a simulation, the scene must have a touch (TouchSpec)
+/// at each frame.
 std::vector<std::string> touches_of(const MpcSpec& spec);
+/// Returns the column of Measurement::wrenches with the force at `frame`; -1 if it is not measured.
+int wrench_column(const MpcSpec& spec, std::string_view frame);
 
 }  // namespace burnish

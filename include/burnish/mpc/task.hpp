@@ -101,9 +101,6 @@ struct TaskView {
   /// Force of the surface on the tool, measured or estimated, in world axes [N]; zero without a
   /// tool
   const Eigen::Vector3d& tool_force_world;
-  /// Measured wrenches on the supports, as in Measurement::wrenches, one column per entry of
-  /// MpcSpec::supports; no columns if MpcSpec::support_sensors is false
-  const Wrenches& support_wrenches;
 };
 
 /// Quantity that a task monitors. A value beyond its limit is a fault.

@@ -9,6 +9,7 @@
 #include <vector>
 
 #include "burnish/dynamics/surface_shape.hpp"
+#include "burnish/estimate/measurement.hpp"
 #include "burnish/model/model.hpp"
 
 namespace burnish {
@@ -59,15 +60,6 @@ struct SurfaceSpec {
   double extent = std::numeric_limits<double>::infinity();
   /// Half side length of the square that is drawn if `extent` is infinite [m], > 0
   double half_size = 0.4;
-};
-
-/// Components of a wrench that a sensor measures.
-/// @described sim
-enum class WrenchSensor {
-  Automatic,  ///< Force of a tool, force and moment of a support
-  None,       ///< No component
-  Force,      ///< Force, but no moment
-  Wrench,     ///< Force and moment
 };
 
 /// A touch: a part of the robot that can touch a surface, such as the tip of a tool, a hand or a
