@@ -272,9 +272,9 @@ void add_options(CLI::App& command, ExperimentArguments& a) {
       "--resume", a.resume,
       "Continue an earlier experiment in the output folder, and skip the runs that it contains");
   command
-      .add_option(
-          "--time-limit", a.time_limit,
-          "Largest computing time of a run, in seconds [20 times the median over earlier runs]")
+      .add_option("--time-limit", a.time_limit,
+                  "Largest computing time of a run, in seconds [10 times the time of earlier runs, "
+                  "at least 120]")
       ->type_name("S")
       ->check(CLI::PositiveNumber);
   command.add_flag("--mixed", a.mixed,

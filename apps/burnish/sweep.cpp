@@ -47,9 +47,9 @@ CLI::App* add_command(CLI::App& app, const std::string& name, const std::string&
       ->type_name("N")
       ->check(CLI::Range(1, 1024));
   command
-      ->add_option(
-          "--time-limit", a.time_limit,
-          "Largest computing time of a run, in seconds [20 times the median over earlier runs]")
+      ->add_option("--time-limit", a.time_limit,
+                   "Largest computing time of a run, in seconds [10 times the time of earlier "
+                   "runs, at least 120]")
       ->type_name("S")
       ->check(CLI::PositiveNumber);
   command->add_option("--out", a.out, "Output folder [a new one, named after the file]")

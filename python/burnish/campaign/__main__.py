@@ -27,7 +27,7 @@ def _parser() -> argparse.ArgumentParser:
     one.add_argument("--mixed", action="store_true", help="accept results of kernels for different processors")
     one.add_argument("--quiet", action="store_true", help="print nothing")
     one.add_argument("--time-limit", type=float, default=0.0, metavar="S",
-                     help="largest computing time of a run [20 times the median of the previous runs]")
+                     help="largest computing time of a run [10 times the time of earlier runs, at least 120]")
     one.add_argument("--patience", type=float, default=600.0, metavar="S",
                      help="longest wait for a lost scheduler [600]")
     one.add_argument("words", nargs=argparse.REMAINDER, metavar="-- EXPERIMENT [OPTIONS]",
@@ -56,7 +56,7 @@ def _add_file(many: argparse.ArgumentParser) -> None:
     many.add_argument("--mixed", action="store_true", help="accept results of kernels for different processors")
     many.add_argument("--threads", type=int, default=0, metavar="N", help="number of parallel runs [one per core]")
     many.add_argument("--time-limit", type=float, default=0.0, metavar="S",
-                      help="largest computing time of a run [20 times the median of the previous runs]")
+                      help="largest computing time of a run [10 times the time of earlier runs, at least 120]")
     many.add_argument("--patience", type=float, default=600.0, metavar="S",
                       help="longest wait for a lost scheduler [600]")
     many.add_argument("--quiet", action="store_true", help="print nothing")

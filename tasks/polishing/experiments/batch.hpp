@@ -19,9 +19,6 @@ struct BatchRun {
   /// used. It returns figures with `made` set, unless the progress function stopped the run.
   std::function<RunFigures(const RunProgress& progress)> perform = {};
   std::string depends_on = {};  ///< Text of all inputs of the result; used only with `perform`.
-  /// Smallest computing time limit of the run, even if earlier runs were faster [s]. The time_limit
-  /// of ExperimentSpec takes precedence.
-  double usual_limit = 10.0;
 };
 
 /// Adds runs of the task on the plant of `spec`, one for each of `seeds` seeds from spec.first_seed

@@ -13,10 +13,6 @@
 namespace burnish::polishing {
 namespace {
 
-/// Smallest limit of a run's computing time [s]. A run of the largest humanoid takes 10 s, a run of
-/// an arm 3 s.
-constexpr double min_time_limit = 120.0;
-
 /// Returns the bundled task that `robot` selects, changed to this robot and its feet.
 stand::Task task_of(const ExperimentSpec& spec, const PublicRobot& robot) {
   const auto& texts = shipped_stand_texts();
@@ -149,7 +145,6 @@ void PublicLegs::add(const PublicRobot& robot, const std::filesystem::path& file
     run.spec.task.disturbances.seed = stands.task.disturbances.seed;
     run.perform = stands;
     run.depends_on = depends_on;
-    run.usual_limit = min_time_limit;
     runs.push_back(std::move(run));
   }
 }
