@@ -535,7 +535,7 @@ void bind_setting(py::module_& m) {
   m.def("make_baseline", &make_baseline, py::arg("task"), py::arg("setting"), make_baseline_doc);
 }
 
-/// Returns a wrapper of `function` with optional setting and options.
+/// Returns a wrapper of `function` whose arguments `setting` and `options` are optional.
 template <class Result>
 auto of_setting(Result (*function)(const Task&, const Setting&, const ReachOptions&)) {
   return [function](const Task& task, const std::optional<Setting>& setting,

@@ -145,7 +145,7 @@ struct Body {
         robot(model.name),
         frames(static_cast<int>(model.frames.size())) {}
 
-  /// Index of a frame; the number of frames is the index of the world.
+  /// Returns the index of a frame. The index of the world is the number of frames.
   int frame(const char* name, const NumberOrName& of) const {
     if (const auto* text = std::get_if<std::string>(&of)) return machine.frame(*text);
     const int number = std::get<int>(of);

@@ -141,7 +141,7 @@ struct ExpansionRoom {
 };
 
 /// Writes the linearized dynamics of one knot as a dense matrix (ndx x nz), from either
-/// DynamicsForm. Columns of missing controls are zero.
+/// DynamicsForm. Columns of controls that the knot lacks are zero.
 void write_dynamics(const StateShape& state, const KnotExpansion& e, int nu, int max_nu,
                     Eigen::Ref<RowMatrix> F) {
   using Strided = Eigen::Map<const RowMatrix, Eigen::Unaligned, Eigen::OuterStride<>>;
@@ -170,7 +170,7 @@ void write_dynamics(const StateShape& state, const KnotExpansion& e, int nu, int
   }
 }
 
-/// Writes gradient and Hessian of a knot; columns of missing controls are zero.
+/// Writes gradient and Hessian of a knot. Entries of controls that the knot lacks are zero.
 void write_costs(const KnotExpansion& e, int n, Eigen::Ref<Eigen::RowVectorXd> gradient,
                  Eigen::Ref<RowMatrix> hessian) {
   const Eigen::Index skip = gradient.size() - n;

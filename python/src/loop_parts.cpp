@@ -38,7 +38,7 @@ Value read(const py::object& object, const char* kind, const char* name) {
   return py::detail::cast_op<Value&>(caster);
 }
 
-/// Reads wrenches on touches, one per column.
+/// Reads the wrenches on the touches (tools and feet) of a scene, one per column.
 Wrenches read_wrenches(const py::object& object, const char* kind, Eigen::Index touches) {
   const Eigen::MatrixXd values = read<Eigen::MatrixXd>(object, kind, "wrenches");
   if (values.rows() != 6 || values.cols() != touches)

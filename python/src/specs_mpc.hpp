@@ -14,7 +14,7 @@ template <>
 struct type_caster<std::function<burnish::TaskTarget(double)>>
     : burnish::python::TimeFunctionCaster<burnish::TaskTarget> {};
 
-/// None stands for a null task.
+/// Caster of a controller's task: Python's None is an empty MakeTask.
 template <>
 struct type_caster<burnish::MakeTask> {
   PYBIND11_TYPE_CASTER(burnish::MakeTask, const_name("Optional[PressingTask]"));

@@ -37,7 +37,7 @@ const char* AllocationGuard::unavailable() {
 }  // namespace burnish
 
 #if defined(BURNISH_COUNTS_ALLOCATIONS)
-// Original functions of the C library. glibc provides these names for programs that wrap them.
+// Original functions of glibc, under the names that glibc offers to programs that replace malloc.
 extern "C" {
 void* __libc_malloc(std::size_t size);
 void* __libc_calloc(std::size_t count, std::size_t size);

@@ -80,21 +80,21 @@ struct ValueType {
   Kind kind = Kind::Other;
   std::type_index id = typeid(void);
   void (*assign)(void* to, const void* from) = nullptr;  ///< Copies a value; null: not copyable
-  bool is_unsigned = false;                              ///< For a Count
-  Eigen::Index rows = 1, columns = 1;                    ///< For an Array; -1: any number
-  const Words& (*words)() = nullptr;                     ///< For a Word
-  const Description& (*description)() = nullptr;         ///< For a Struct
-  const ValueType& (*element)() = nullptr;               ///< For a List, Map or Optional
-  std::int64_t (*get)(const void*) = nullptr;            ///< For a Count or Word
-  void (*set)(void*, std::int64_t) = nullptr;            ///< For a Count or Word
-  std::size_t (*size)(const void*) = nullptr;            ///< For a List or Map; Optional: 0 or 1
-  void (*resize)(void*, std::size_t) = nullptr;          ///< For a List or Optional; Map: to 0
-  void* (*entry)(void*, std::size_t) = nullptr;          ///< For a List, Map or Optional
-  const std::string& (*name)(const void*, std::size_t) = nullptr;  ///< For a Map: key of an entry
-  void* (*named)(void*, const std::string&) = nullptr;  ///< Map: finds or adds an entry by its key
-  bool by_rows = false;                                 ///< For an Array: stored row by row
-  double* (*numbers)(void*) = nullptr;                  ///< For an Array
-  Eigen::Index (*rows_of)(const void*) = nullptr;       ///< For an Array
+  bool is_unsigned = false;                              ///< Kind Count
+  Eigen::Index rows = 1, columns = 1;                    ///< Kind Array; -1: any number
+  const Words& (*words)() = nullptr;                     ///< Kind Word
+  const Description& (*description)() = nullptr;         ///< Kind Struct
+  const ValueType& (*element)() = nullptr;               ///< Kinds List, Map and Optional
+  std::int64_t (*get)(const void*) = nullptr;            ///< Kinds Count and Word
+  void (*set)(void*, std::int64_t) = nullptr;            ///< Kinds Count and Word
+  std::size_t (*size)(const void*) = nullptr;            ///< Kinds List and Map; Optional: 0 or 1
+  void (*resize)(void*, std::size_t) = nullptr;          ///< Kinds List and Optional; Map: to 0
+  void* (*entry)(void*, std::size_t) = nullptr;          ///< Kinds List, Map and Optional
+  const std::string& (*name)(const void*, std::size_t) = nullptr;  ///< Kind Map: key of an entry
+  void* (*named)(void*, const std::string&) = nullptr;  ///< Kind Map: entry by key, added if absent
+  bool by_rows = false;                                 ///< Kind Array: stored row by row
+  double* (*numbers)(void*) = nullptr;                  ///< Kind Array
+  Eigen::Index (*rows_of)(const void*) = nullptr;       ///< Kind Array
   Eigen::Index (*columns_of)(const void*) = nullptr;
   void (*resize_array)(void*, Eigen::Index, Eigen::Index) = nullptr;
 };

@@ -26,7 +26,7 @@ class Findings {
     warnings_.insert(warnings_.end(), other.warnings_.begin(), other.warnings_.end());
   }
 
-  /// Calls `call` and records an Error that it throws as a problem. Returns false after an Error.
+  /// Calls `call`. If `call` throws an Error, records a problem and returns false.
   template <class Call>
   bool attempt(Call&& call) {
     try {
@@ -38,7 +38,7 @@ class Findings {
     return true;
   }
 
-  /// Calls `call` and records an Error that it throws as a warning, followed by `consequence`.
+  /// Calls `call`. If `call` throws an Error, records a warning that ends with `consequence`.
   template <class Call>
   void attempt_or_warn(Call&& call, const std::string& consequence) {
     try {

@@ -14,8 +14,8 @@ inline constexpr int max_megabytes = 64;
 /// `wanted` names the expected kind of file in these messages, such as "URDF file".
 std::string read_text(const std::filesystem::path& file, const std::string& wanted);
 
-/// Reads the rest of a stream. Throws Error, which calls the stream `source`, if the text is larger
-/// than max_megabytes.
+/// Reads the rest of a stream. Throws Error if the text is larger than max_megabytes. The message
+/// calls the stream `source`.
 std::string read_text(std::istream& stream, const std::string& source);
 
 /// Throws Error if `text`, called `source` in the message, is larger than `megabytes`.

@@ -75,7 +75,7 @@ class ThreadPool {
   }
 
   /// Calls body(team) once in every worker at the same time, so that the workers can synchronise by
-  /// team.meet(). `body` must not throw, because the others would wait forever for this worker.
+  /// team.meet(). `body` must not throw: the other workers would wait forever.
   template <class Body>
   void together(Body&& body) {
     using Target = std::remove_reference_t<Body>;

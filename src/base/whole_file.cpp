@@ -12,8 +12,8 @@ namespace {
 
 namespace fs = std::filesystem;
 
-/// Returns the path at the end of a chain of links, so that the target of a link is replaced and
-/// not the link.
+/// Returns the target of a symbolic link, since a write must replace the target and not the link.
+/// Returns any other path unchanged.
 fs::path behind_links(const fs::path& file) {
   std::error_code ignored;
   if (!fs::is_symlink(file, ignored)) return file;

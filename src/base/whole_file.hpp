@@ -29,7 +29,7 @@ class WholeFile {
   [[noreturn]] void refuse(int reason) const;
 
   std::filesystem::path name_;       ///< Path as given
-  std::filesystem::path target_;     ///< Path with links resolved
+  std::filesystem::path target_;     ///< Path with symbolic links resolved
   std::filesystem::path temporary_;  ///< Temporary file beside target_; empty: written directly
   std::ofstream stream_;
 };

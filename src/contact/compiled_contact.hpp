@@ -11,9 +11,9 @@
 namespace burnish {
 
 /// Entry of v that moves the body of the tool, the body of the base, or a body of the reference.
-/// The entry moves each body along an axis or a sum of axes (tree.hpp); -1 if it does not move the
-/// body. Two bodies move along different axes only if the entry has followers or moves just one of
-/// them.
+/// An axis index selects the axis or sum of axes (tree.hpp) along which the entry moves a body; -1:
+/// the body does not move. The indices of two bodies differ only if the entry has followers or
+/// moves just one of the bodies.
 struct ContactSupport {
   int v;
   int tool_axis, base_axis;
@@ -32,8 +32,8 @@ struct ContactSupport {
 struct CompiledContact {
   ContactSpec spec;
   int tool_body, base_body;     ///< Joint indices, -1 for the world
-  Mat3<double> tool_R, base_R;  ///< Rotations of C2 and C1 in their bodies
-  Vec3<double> tool_p, base_p;  ///< Positions of C2 and C1 in their bodies [m]
+  Mat3<double> tool_R, base_R;  ///< Rotations of frames C2, C1 in their bodies
+  Vec3<double> tool_p, base_p;  ///< Positions of frames C2, C1 in their bodies [m]
   CompiledReference reference;
   Mat3<double> target_R;                ///< Rotation of spec.target
   Vec3<double> target_p;                ///< Position of spec.target [m]
@@ -45,7 +45,7 @@ struct CompiledContact {
   /// Entries on which the constrained acceleration depends: the entries of `support` and those that
   /// move only the reference. Ascending in v.
   std::vector<ContactSupport> influences;
-  double offset_weight = 0.0;  ///< Weight of a squared distance, row_size.hpp [1/m^2]
+  double offset_weight = 0.0;  ///< Factor of a squared distance in row_size.hpp [1/m^2]
   /// Rows of L^-T J^T (with M = L^T L) that can be nonzero, ascending: entries of `support` and all
   /// their ancestors. Equals `support` unless followers couple branches.
   std::vector<int> coupled;

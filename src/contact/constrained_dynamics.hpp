@@ -80,13 +80,13 @@ class ConstrainedDynamics {
   /// Returns the most severe status of all lanes.
   Status status() const;
 
-  /// Returns true if entry k of v moves no mass of its own, a cause of SingularMass.
+  /// Returns true if entry k of v moves no mass of its own. The status is then SingularMass.
   bool moves_no_mass(int k, int lane) const {
     return has_mass_factor_ && Lanes<S>::get(mass_.inverse_diagonal[k], lane) == 0.0;
   }
-  /// Returns true if the tool of a contact jams, a cause of SingularContacts.
+  /// Returns true if the tool of a contact jams. The status is then SingularContacts.
   bool jams(int contact, int lane) const;
-  /// Returns true if an active row depends on earlier rows, a cause of SingularContacts.
+  /// Returns true if an active row depends on earlier rows. The status is then SingularContacts.
   bool is_dependent(int row, int lane) const {
     return has_delassus_ && Lanes<S>::get(delassus_.inverse_diagonal[row], lane) == 0.0;
   }
@@ -102,8 +102,8 @@ class ConstrainedDynamics {
   std::vector<S> velocity_after;                ///< nv entries: impact
   std::vector<ContactState<S>> contact_states;  ///< One state per contact of the set
   int proximal_iterations = 0;                  ///< Largest number of all lanes: forward, impact
-  std::vector<S> lane_iterations;               ///< Proximal iterations of each lane (1 entry)
-  /// Largest |mu (lambda - previous lambda)|, one entry [m/s^2; for an impact m/s]
+  std::vector<S> lane_iterations;               ///< One entry: proximal iterations, per lane
+  /// One entry: largest |mu (lambda - previous lambda)|, per lane [m/s^2; after impact(): m/s]
   std::vector<S> proximal_residual;
 
   // Intermediate results, for the derivatives.
@@ -122,10 +122,10 @@ class ConstrainedDynamics {
   /// Returns the rows that contradict each other in the last forward() or impact().
   const Contradiction<S>& contradiction() const { return contradiction_; }
   InverseDynamics<S>& inverse_dynamics() { return id_; }
-  /// Loads `a` into the inverse dynamics and applies the contact forces lambda to its bodies. If
-  /// `more` is given, also applies these forces (one number per row); they cause no friction.
+  /// Loads `a` into the inverse dynamics. Applies the contact forces lambda and their friction to
+  /// the bodies. If `more` (one force per row) is given, also applies `more`, without friction.
   void apply_forces(const S* more = nullptr);
-  /// Zeroes the lanes whose status is above NotConverged; their values are finite but meaningless.
+  /// Zeroes the meaningless results of lanes with a status more severe than NotConverged.
   void clear_failed(std::vector<S>& results) const;
 
  private:
@@ -157,7 +157,7 @@ class ConstrainedDynamics {
   ActiveContacts active_;
   int active_version_ = 0;
   std::vector<char> is_active_;
-  std::vector<Mat3<S>> reference_axes_;     ///< Axes of each contact's reference, in their body
+  std::vector<Mat3<S>> reference_axes_;     ///< Reference axes per contact, in body axes
   std::vector<CurvedSurface<S>> surfaces_;  ///< One per contact, used if its reference is curved
   std::vector<S> coefficients_;             ///< One per contact, used if it has friction
   std::vector<S> q_neutral_;
@@ -166,7 +166,7 @@ class ConstrainedDynamics {
   /// to the contact forces, the other columns to friction.
   std::vector<S> rho_, solved_, solved_before_;
   int stride_;
-  std::vector<int> columns_;           ///< Columns to solve for
+  std::vector<int> columns_;           ///< Columns of rho_ to solve for
   std::vector<S> at_rest_;             ///< nv zeros
   std::vector<Status> motion_status_;  ///< Status of state and mass matrix, per lane
   std::vector<Status> state_status_;   ///< Status of state, mass matrix and contacts, per lane

@@ -16,8 +16,8 @@ template <class S>
 struct ContactState {
   Mat3<S> axes;              ///< Axes of the reference, as columns
   Vec3<S> origin;            ///< Origin of the reference [m]
-  Mat3<S> tool_R;            ///< Rotation of C2
-  Vec3<S> p;                 ///< Origin of C2 [m]
+  Mat3<S> tool_R;            ///< Rotation of the tool frame C2
+  Vec3<S> p;                 ///< Origin of the tool frame C2 [m]
   Motion<S> v_tool, v_base;  ///< Twists of the bodies, about the world's origin
   Motion<S> nu;              ///< v_tool - v_base, about the world's origin
   Motion<S> eta;           ///< Twist in alpha = a_L + eta x nu; depends on the kind of acceleration
@@ -55,7 +55,7 @@ template <class S>
 void friction_torque(const CompiledContact& contact, const Kinematics<S>& kinematics,
                      const ContactState<S>& state, S* out);
 
-/// Return the frames C2 (tool_of) and C1 (base_of), each with an empty support.
+/// Return the tool frame C2 and the base frame C1, each with an empty support.
 CompiledFrame tool_of(const CompiledContact& contact);
 CompiledFrame base_of(const CompiledContact& contact);
 /// Compiles `reference` for the tool and base of this contact.
@@ -88,8 +88,8 @@ template <class S>
 Force<S> wrench_of_rows(const CompiledContact& contact, const S* lambda,
                         const ContactState<S>& state);
 
-/// Fills state.sliding.normal_force, and state.force_world with the wrench of lambda (constrained
-/// rows) and of its friction.
+/// Fills state.sliding.normal_force, and sets state.force_world to the wrench of lambda
+/// (constrained rows) plus the wrench of friction.
 template <class S>
 void set_contact_force(const CompiledContact& contact, const S* lambda, ContactState<S>& state);
 

@@ -31,7 +31,7 @@ struct Delassus {
   std::vector<S> least_pivot;       ///< Lower bound of the pivot of each row of G
   std::vector<S> pivot_rounding;    ///< Rounding error of the pivot of each row
   int stride;                       ///< Number of rows if all contacts are active
-  std::vector<std::vector<int>> shared_support;  ///< Entries of v coupled to both contacts, by pair
+  std::vector<std::vector<int>> shared_support;  ///< Entries of v coupled to a pair of contacts
 };
 
 /// Fills `d`. Returns the lanes in which a row depends on earlier rows. In these lanes the factor

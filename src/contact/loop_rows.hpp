@@ -1,5 +1,5 @@
-// Errors and Jacobian of the loops of a model at one configuration, with all directions that the
-// model states.
+// Errors and Jacobian of the loops of a model at one configuration, along all directions that the
+// model constrains, redundant or not.
 #pragma once
 
 #include <utility>
@@ -37,7 +37,7 @@ class LoopRows {
 /// Linearly independent rows that span all rows of a matrix.
 struct IndependentRows {
   std::vector<int> rows;  ///< Indices, ascending
-  double weakest = 1.0;   ///< Smallest length of a chosen row once its dependent part is removed
+  double weakest = 1.0;   ///< Smallest length of a chosen row, without its dependent part
 };
 /// Chooses independent rows of J one by one. After each choice, the remaining rows are made
 /// orthogonal to the chosen row. The next choice is the first row with at least half the length of

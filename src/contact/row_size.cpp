@@ -97,9 +97,9 @@ void set_reaches(const Model& model, CompiledContact& contact) {
     }
     contact.support[i].per_reach = distance > 0.0 ? 1.0 / distance : 1.0;
   }
-  // If the origin of the reference is not at the tool, lever arms grow with the tool's distance
-  // from that origin. If it is at the tool, only rounding errors grow, with the tool's distance
-  // from the world's origin.
+  // If the reference has its origin elsewhere, lever arms grow with the tool's distance from the
+  // origin. If the reference has its origin at the tool, only rounding errors grow, with the tool's
+  // distance from the world's origin.
   const double per_distance = elsewhere ? 1.0 / longest_arm : 1e-8 / shortest_arm;
   contact.offset_weight = per_distance * per_distance;
 }

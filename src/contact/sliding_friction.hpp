@@ -1,13 +1,13 @@
 // Smoothed Coulomb friction on a sliding tool (SlidingFriction). The contact constrains the normal
-// n. Friction acts at the point c, the tool's origin p shifted by the radius r against n. With the
-// velocity v of the tool relative to the base at c,
+// n. Friction acts at the point c, the tool's origin p shifted by the radius r against n. nu is the
+// twist of the tool relative to the base, and v its linear velocity at c. With
 //   c = p - r n,   v_t = v - n (n . v),   s = v_t / sqrt(|v_t|^2 + speed^2),
 // the force on the tool is lambda (n - coefficient s). The friction wrench per unit of lambda
 // depends on the state. If a change of q turns the axes by w, it changes these quantities by
 //   dn = w x n,   dc = dp - r dn,   dv = dnu(c) + nu.angular x dc,
 //   dv_t = dv - n (dn . v + n . dv) - dn (n . v),
 //   ds = (dv_t - s (s . dv_t)) / sqrt(|v_t|^2 + speed^2).
-// A change of v gives dv = J_c dv (dn = dc = 0). All vectors are in world axes.
+// A change of joint velocities leaves n and c constant. All vectors are in world axes.
 #pragma once
 
 #include "contact/compiled_contact.hpp"

@@ -36,7 +36,7 @@ std::pair<const std::type_index, std::function<void(void*, const Reader&)>> read
 /// Reads the value of one entry into `spec`. Throws Error with the place if it does not fit.
 void read_entry(const Field& field, void* spec, const Reader& reader);
 /// Reads the stated keys of a map into `spec`; other entries keep their values. Throws Error with
-/// the place for an unknown key, a missing key that is `@stated`, or a value that does not fit.
+/// the place for an unknown key, a missing key marked `@stated`, or a value that does not fit.
 void read_described(const Description& description, void* spec, const Reader& reader,
                     const Reading& reading = {});
 /// Returns the value of an entry as YAML on one line. Returns nothing for an empty text, because

@@ -8,9 +8,9 @@ namespace burnish {
 /// Constants of a reference. Bodies are joint indices, -1 for the world.
 struct CompiledReference {
   int origin_body = -1, axes_body = -1;
-  Vec3<double> origin;      ///< Origin in the body origin_body [m]
-  Mat3<double> axes;        ///< Axes of the reference in the body axes_body
-  Mat3<double> fixed_in;    ///< Initial axes, before their rotation, in the body axes_body
+  Vec3<double> origin;      ///< Origin, in body `origin_body` [m]
+  Mat3<double> axes;        ///< Axes of the reference, in body `axes_body`
+  Mat3<double> fixed_in;    ///< Initial axes, before their rotation, in body `axes_body`
   bool at_tool = false;     ///< True if the origin is the origin of the tool
   bool at_world = false;    ///< True if the origin is the world's origin
   bool is_aligned = false;  ///< True if the axes are world axes
@@ -18,15 +18,15 @@ struct CompiledReference {
   /// surface, in the frame with axes `fixed_in` and origin `place`.
   bool is_curved = false;
   int tool_body = -1;
-  Vec3<double> place;  ///< Origin of the frame of the surface, in the axes of body `axes_body` [m]
-  Vec3<double> tool;   ///< Point whose surface normal the axes follow, in the body tool_body [m]
+  Vec3<double> place;  ///< Origin of the surface frame, in body `axes_body` [m]
+  Vec3<double> tool;   ///< Point whose surface normal the axes follow, in body `tool_body` [m]
   Mat3<double> Q;
   Vec3<double> b;
   double c = 0.0;
 };
 
 /// Axes (tree.hpp) along which an entry of v moves three bodies: the body of the reference's
-/// origin, the body of its axes, and the tool's body; -1 if the entry does not move the body. The
+/// origin, the body of its axes, and the tool's body; -1: the entry does not move the body. The
 /// tool's axis matters only for reference axes that follow a surface.
 struct ReferenceAxes {
   int origin = -1, axes = -1, tool = -1;

@@ -6,7 +6,7 @@
 //   T y = y + c x y + c x (c x y) / (1 + n0 . n)   with c = n0 x n.
 // T depends on n only. The angular velocity of T has no component along n0 + n, so it is
 //   w = n x n' - n (n0 . (n x n')) / (1 + n0 . n).
-// All vectors are either in the axes of the frame of the surface or in world axes.
+// All vectors are either in axes of the surface frame or in world axes.
 #pragma once
 
 #include "math/spatial.hpp"
@@ -65,7 +65,7 @@ BURNISH_INLINE Vec3<S> least_rotation(const Vec3<S>& n0, const Vec3<S>& n, const
   return y + once + cross(c, once) * inverse_sum;
 }
 
-/// Axes at the point x, without the members that depend on the velocity.
+/// Returns the axes at the point x. Does not fill the members that depend on the velocity.
 template <class S>
 BURNISH_INLINE CurvedAxes<S> curved_axes(const CurvedSurface<S>& surface, const Vec3<S>& n0,
                                          const Vec3<S>& x) {
@@ -79,8 +79,8 @@ BURNISH_INLINE CurvedAxes<S> curved_axes(const CurvedSurface<S>& surface, const 
   return at;
 }
 
-/// Turns the vectors in `at` by R, for example from the frame of the surface to the world. Then
-/// fills the members that depend on the velocity v, given in the new axes.
+/// Turns the vectors in `at` by R, for example from the surface frame to the world. Then fills the
+/// members that depend on the velocity v of the point, with v given in the new axes.
 template <class S>
 BURNISH_INLINE void move_over(const Mat3<S>& R, const Vec3<S>& v, CurvedAxes<S>& at) {
   at.n = R * at.n;

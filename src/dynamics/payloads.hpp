@@ -17,8 +17,8 @@ class Payloads {
   Payloads(const Payloads&) = delete;  // frames are views of model_
   Payloads& operator=(const Payloads&) = delete;
 
-  /// Records a payload after the dynamics of the same model have accepted it. Does not allocate.
-  /// Throws Error as frame_on_body() does.
+  /// Records a payload, which the dynamics of the same model must already have accepted. Does not
+  /// allocate. Throws Error as frame_on_body() does.
   void set(std::string_view frame, const InertiaSpec& payload) {
     const Frame& at = frame_on_body("set_payload", model_, frame);
     bodies_[to_size(at.body)] = {at.name, payload, true};
@@ -28,8 +28,8 @@ class Payloads {
     for (const Body& body : bodies_) sum += body.payload.mass;
     return sum;
   }
-  /// Calls visit(frame, payload) for each body whose payload was set since the last hand_over(),
-  /// with the last payload that was set. A payload that was removed has mass 0.
+  /// Calls visit(frame, payload) with the latest payload of each body whose payload was set since
+  /// the last hand_over(). A removed payload has mass 0.
   void hand_over(const auto& visit) {
     for (Body& body : bodies_) {
       if (body.is_new) visit(body.frame, body.payload);

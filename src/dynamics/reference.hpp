@@ -45,9 +45,9 @@ Place fixed_in(const Anchor& anchor, const Place& tool, const Place& base, const
 CompiledReference compile_reference(const Model& model, const Reference& reference,
                                     const CompiledFrame& tool, const CompiledFrame& base);
 
-/// Returns the reference in which the position of the tool is written. If the axes follow a surface
-/// and the origin is at the tool, this is the reference with its origin in the frame of the
-/// surface. Any other reference is returned unchanged.
+/// Returns the reference frame for coordinates of the tool's position. If the axes follow a surface
+/// and the origin is at the tool, moves the origin to the surface frame. Otherwise returns the
+/// argument unchanged.
 Reference asked_for_positions(Reference reference);
 
 /// Returns true if `matrix` is a rotation matrix, within 1e-6.

@@ -22,7 +22,7 @@ struct Springs {
     double by_v;      ///< Entry of d(tau)/dv, a constant [Nms/rad or Ns/m]
   };
   /// Entry (row, column) of -K (by_q) and -D (by_v) in the linear law tau = tau_0 - K q - D v.
-  /// q_row and q_column are the same coordinates as indices in q.
+  /// `row` and `column` are indices in v; q_row and q_column are their counterparts in q.
   struct Linear {
     int row, column;
     int q_row, q_column;

@@ -98,7 +98,7 @@ SurfaceDistance of_quadric(const Eigen::Vector3d& A, const Eigen::Vector3d& b, d
 }
 
 /// Ridge: the plane z = 0 and, for x > edge, a plane that falls by the angle `slope`. The material
-/// is below both. The nearest point is on one of the planes or on the edge.
+/// is below both planes. The nearest point is on one of the planes or on the edge.
 SurfaceDistance of_ridge(double edge, double slope, const Eigen::Vector3d& y) {
   const double x = y.x() - edge, c = std::cos(slope), s = std::sin(slope);
   const double second = x * s + y.z() * c, along = x * c - y.z() * s;

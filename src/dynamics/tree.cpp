@@ -8,9 +8,9 @@
 namespace burnish {
 namespace {
 
-// Mean number of relatives of an entry of v (ancestors, descendants and the entry itself) from
-// which the articulated-body solver is used. Measured on chains, whose length is this number, with
-// packs of 8 states.
+// Smallest mean number of relatives of an entry of v at which the articulated-body solver is used.
+// Relatives are ancestors, descendants and the entry itself. Measured with packs of 8 states on
+// chains, whose length is this number.
 constexpr double relatives_of_deep_trees = 22.0;
 
 double mean_relatives(const std::vector<int>& parent_of_v) {

@@ -82,8 +82,8 @@ void ContactFilter::reset(const InertialState<double>& state, const Vector3d& b_
   for (Foot& foot : feet_) foot.squared = 0.0;
 }
 
-/// Computes the coefficients of the bias error zeta in equations (1) to (4), at the state after the
-/// tick.
+/// Computes the coefficients B_ of the bias error zeta in equations (1) to (4) of the header, at
+/// the state after the tick.
 void ContactFilter::fill_bias_jacobian(const Matrix3d& R_before, const Vec3<double>& phi,
                                        const RotationSeries<double>& c, const Vec3<double>& f,
                                        double dt) noexcept {
@@ -130,7 +130,7 @@ void ContactFilter::propagate(const ImuReading& reading, double dt) noexcept {
   propagate_rows(P_, g, dt);
   P_.transposeInPlace();
   propagate_rows(P_, g, dt);
-  // White noise of density s gives a reading the variance s^2/dt. The Jacobian B_ maps it to xi.
+  // White noise of density s gives a reading the variance s^2/dt. The matrix B_ maps noise to xi.
   const double of_gyro = noise_.gyro * noise_.gyro / dt;
   const double of_accelerometer = noise_.accelerometer * noise_.accelerometer / dt;
   P_.noalias() += of_gyro * (B_.leftCols<3>().lazyProduct(B_.leftCols<3>().transpose()));

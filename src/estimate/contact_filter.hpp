@@ -55,7 +55,7 @@ struct SeenFoot {
 
 /// Densities of the white noise that the filter assumes, per sqrt(Hz).
 struct FilterNoise {
-  double gyro = 0.0, accelerometer = 0.0;            ///< Readings [rad/s, m/s^2].
+  double gyro = 0.0, accelerometer = 0.0;            ///< Noise of readings [rad/s, m/s^2].
   double gyro_bias = 0.0, accelerometer_bias = 0.0;  ///< Random walk of biases [rad/s^2, m/s^3].
   double slip = 0.0, sole_turn = 0.0;                ///< Slip of standing feet [m/s, rad/s].
 };
@@ -80,7 +80,7 @@ class ContactFilter {
   void reset(const InertialState<double>& state, const Eigen::Vector3d& b_gyro,
              const Eigen::Vector3d& b_accelerometer, const Eigen::MatrixXd& covariance) noexcept;
 
-  /// Propagates state and covariance over a reading that holds for `dt` [s].
+  /// Propagates state and covariance over the last `dt` [s], in which the reading was constant.
   void propagate(const ImuReading& reading, double dt) noexcept;
 
   /// Corrects the estimate with the poses of the standing feet in `asked`. `seen`: pose of each

@@ -20,7 +20,7 @@ struct StageContacts {
 class ContactForceEstimate {
  public:
   explicit ContactForceEstimate(StageContacts contacts);
-  /// Stores the surface that place() sets in the references of the contacts in `following`.
+  /// Stores the surface that place() sets for the contacts in `following`.
   void set_surface(const Quadric& surface) noexcept { surface_ = surface; }
   /// Stores the coefficient of friction that place() sets for the contacts in `with_friction`.
   void set_friction(double coefficient) noexcept { friction_ = coefficient; }
@@ -36,7 +36,7 @@ class ContactForceEstimate {
   /// Sets `out` to the sum of the contact forces on the robot in a stage, in world axes [N]. Forces
   /// of supports and loops are not included. `tau`: torques (nv) [Nm or N]. `time`: time of the
   /// schedule at which references are evaluated [s]. Returns false and a zero force if the stage
-  /// has no other contact, or if the dynamics have no solution.
+  /// has only supports and loops, or if the dynamics have no solution.
   bool force_at(RobotState& state, int stage, double time, const Eigen::VectorXd& tau,
                 Eigen::Vector3d& out) noexcept;
 

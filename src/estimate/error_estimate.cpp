@@ -11,8 +11,8 @@ constexpr double sliding_speed = 0.02;  // speed below which the friction fades 
 constexpr double until_torques = 2e-3;  // assumed time from a measurement until torques act [s]
 constexpr double since_forces = 3e-3;   // assumed delay of force sensors with their filters [s]
 constexpr double touch_fade = 0.2;      // time from a touch until the full force gain is used [s]
-// While contact is due: waiting time after which the normal force begins to count as a model error,
-// and further time until it counts in full [s].
+// While the schedule waits for contact: time after which the normal force begins to count as a
+// model error, and further time until the force counts in full [s].
 constexpr double waiting = 0.1, waiting_fade = 0.1;
 
 }  // namespace
@@ -87,8 +87,8 @@ void ErrorEstimate::update(RobotState& state, const ErrorInput& input) noexcept 
     update_force_feedback(state, input);
     follow_lasting(input.dt);
     contact_force_.set_friction(friction());
-    // Forces are computed with the measured torques (section IV-C of Kleff et al.). The torque
-    // error already contains torque_offset_, the slow difference of these torques from acted_.
+    // force_at() uses the measured torques (section IV-C of Kleff et al.). The torque error already
+    // contains torque_offset_, the slow difference of these torques from acted_.
     total_ += model_error() - torque_offset_;
     total_.noalias() += state.tool().jacobian().transpose() * friction_force_;
   }

@@ -76,19 +76,19 @@ class ErrorEstimate {
   /// Returns the coefficient of friction of the tool's contacts; 0 without a friction model.
   double friction() const { return friction_ ? friction_->coefficient() : 0.0; }
 
-  /// Sets the planned velocity v (nv) [rad/s or m/s], with which the estimates of friction change
-  /// sign. It is the velocity in a new plan, joint_friction().lead() after the plan's first knot.
+  /// Sets the planned velocity v (nv) [rad/s or m/s], from which the friction estimates take the
+  /// direction of motion: velocity of a new plan, joint_friction().lead() after its first knot.
   void foresee(const Eigen::VectorXd& v) noexcept {
     joint_friction_.foresee(v.data());
     v_ahead_ = v;
   }
 
-  /// Returns the estimate of joint friction. The torques passed to update() must not include its
-  /// compensation.
+  /// Returns the estimate of joint friction. The torques passed to update() must not include the
+  /// compensation of joint friction.
   JointFriction& joint_friction() { return joint_friction_; }
 
-  /// Returns observed_error() plus the torque of the friction along the surface that the contacts
-  /// do not model; nv [Nm or N].
+  /// Returns observed_error() plus the torque of unmodelled friction; nv [Nm or N]. The latter is
+  /// the friction along the surface without the part that the contacts model.
   const Eigen::VectorXd& torque_error() const { return torque_error_; }
   /// Returns the torque error from the observer; nv [Nm or N].
   const Eigen::VectorXd& observed_error() const { return model_error(); }
@@ -129,8 +129,8 @@ class ErrorEstimate {
   std::optional<double> torque_cutoff_;
   Eigen::Vector3d normal_world_, normal_at_first_;
   double contact_threshold_;  ///< Normal force above which the tool is in contact [N].
-  /// Observer for a robot with a force sensor (observer_), or estimate of both force and error for
-  /// a robot without one (felt_).
+  /// Observer for a robot with a force sensor (observer_), or estimate of force and torque error
+  /// for a robot without a force sensor (felt_).
   std::optional<ErrorObserver> observer_;
   std::optional<FeltForce> felt_;
   JointFriction joint_friction_;

@@ -32,7 +32,7 @@ ChangeDetector::ChangeDetector(const Model& model, const ModelErrorOptions& opti
       slow_square_(rate_),
       square_(rate_) {
   // Largest rate of the torque error that never counts as a transient, as a fraction of effort
-  // limit times bandwidth; chosen by hand. Joints without an effort limit count as 100 Nm.
+  // limit times bandwidth; chosen by hand. A missing effort limit counts as 100 Nm.
   constexpr double small = 2e-3;
   for (int k = 0; k < model.nv; ++k) {
     const double effort = model.effort_limit[k];
@@ -61,7 +61,7 @@ void ChangeDetector::see(const Eigen::VectorXd& change, double dt) noexcept {
   detect_drift(change, rate, dt, weight);
 }
 
-/// Detects jumps: rates far beyond the usual rates, for some milliseconds.
+/// Detects jumps: rates of the torque error far beyond the usual rates, for some milliseconds.
 void ChangeDetector::detect_jumps(const Eigen::VectorXd& change, double rate, double dt,
                                   double weight) noexcept {
   // Smoothing time of rates, time until detection starts, decay time of a detected jump [s].
@@ -88,9 +88,9 @@ void ChangeDetector::detect_jumps(const Eigen::VectorXd& change, double rate, do
   level_ = std::max(level, level_ * std::exp(-dt / decay_time));
 }
 
-/// Detects a drift: the rate of some joint keeps its sign for longer than noise does. A low-pass
-/// filter keeps most of a drift. It reduces encoder steps, whose signs alternate, by a factor of
-/// about dt divided by the filter's time constant.
+/// Detects a drift: the rate of a joint's torque error keeps its sign for longer than noise does. A
+/// low-pass filter with the time constant T keeps most of a drift. The filter reduces encoder
+/// steps, whose signs alternate, to about the fraction dt / T.
 void ChangeDetector::detect_drift(const Eigen::VectorXd& change, double rate, double dt,
                                   double weight) noexcept {
   // Smoothing time, and time until detection starts [s].
@@ -156,8 +156,8 @@ void ErrorObserver::reset() noexcept {
 
 /// Removes the part of `change_` that forces of supports and loops balance. This part causes no
 /// motion, so that no measurement would ever correct it. The acceleration of the closed mechanism
-/// is a = a_0 + A tau, and multiplication by M A removes the part. Returns false if A cannot be
-/// computed.
+/// is a = a_0 + A tau. Multiplication by A and by the mass matrix removes the part. Returns false
+/// if A cannot be computed.
 bool ErrorObserver::remove_balanced_part(ContactDynamics& closed) noexcept {
   if (!is_usable(closed.forward_derivatives())) return false;
   innovation_.noalias() = closed.da_dtau() * change_;

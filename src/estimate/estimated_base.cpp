@@ -129,7 +129,7 @@ Status EstimatedBase::Impl::follow(const Measurement& measured) noexcept {
   const bool first = !started;
   started = true;
   if (first) return Status::Ok;
-  // Includes the time since the last usable measurement, because the next valid readings cover it.
+  // Time since the last usable measurement, because the readings cover all of this time.
   const double dt = measured.time - last;
   if (!(dt > 0.0)) return Status::NotFinite;
   const BaseSource before = base.source();

@@ -106,8 +106,8 @@ struct GuardedBase::Impl {
   double tipping = 0.0;     ///< Remaining time for which the robot counts as tipping [s].
   double lost = 0.0, agreed = 0.0;
   int takeovers = 0;
-  /// Decaying offset of the reported pose from the pose by the feet, in the world: rotation [rad]
-  /// and displacement [m]. It avoids jumps when the source of the pose changes.
+  /// Decaying offset of the reported pose from the pose that the feet give, in the world: rotation
+  /// [rad] and displacement [m]. The offset avoids jumps when the source of the pose changes.
   Vector3d off_turn = Vector3d::Zero(), off_place = Vector3d::Zero();
   FootSet out = 0;         ///< Feet that contradict the other feet and are not used.
   Eigen::VectorXd rested;  ///< Time for which the feet in `out` have been at rest [s].

@@ -9,8 +9,8 @@ namespace burnish {
 namespace {
 
 // Tuning constants, chosen by hand unless the comment states an origin.
-constexpr double look_ahead = 0.05;      // time ahead of the first knot at which plans are read [s]
-constexpr double constant_memory = 0.3;  // correlation time of the offset c [s]
+constexpr double look_ahead = 0.05;       // time after the first knot at which plans are read [s]
+constexpr double constant_memory = 0.3;   // correlation time of the offset c [s]
 constexpr double friction_memory = 10.0;  // correlation time of friction F and B [s]
 constexpr double noise_memory = 0.5;      // averaging time of noise variances [s]
 // Innovation above which a sample is an outlier [standard deviations].

@@ -56,8 +56,8 @@ class RobotState {
   ToolMotion tool_;
   std::vector<char> is_loop_;  ///< Per contact: 1 for a loop of the robot.
   Eigen::VectorXd q_, v_;
-  bool has_tool_ = false;      ///< True if tool_ belongs to the state.
-  bool has_dynamics_ = false;  ///< True if dynamics_ has loaded the state.
+  bool has_tool_ = false;      ///< True if tool_ is updated to q_ and v_.
+  bool has_dynamics_ = false;  ///< True if dynamics_ is updated to q_ and v_.
 };
 
 }  // namespace burnish

@@ -13,7 +13,7 @@ namespace burnish {
 /// Support of a robot, as plans describe it.
 struct GripSpec {
   std::string name;       ///< Name of the contact.
-  std::string frame;      ///< Frame of the robot that is held.
+  std::string frame;      ///< Frame of the robot that the support holds.
   int sensor;             ///< Column of the wrenches of update(); -1: no sensor.
   double friction;        ///< Coefficient of the friction cone; infinite: no cone.
   double half_x, half_y;  ///< Half sides of the sole [m]; 0: point foot.

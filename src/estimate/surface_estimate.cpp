@@ -81,9 +81,9 @@ void SurfaceEstimator::update(const Eigen::Vector3d& p, double force, bool touch
   update_estimate(p);
 }
 
-/// Processes the mean position of a window. Joint noise moves the tip along the surface and along
-/// the normal at once, which would look like a slope. The state is therefore moved along the
-/// surface only if the displacement clearly exceeds the noise.
+/// Processes the mean position of a window. Joint noise moves the measured tip along the surface
+/// and the normal at the same time, which would look like a slope. The state is therefore moved
+/// along the surface only if the displacement clearly exceeds the noise.
 void SurfaceEstimator::learn() noexcept {
   // Displacement that exceeds the noise [standard deviations of a mean].
   constexpr double clear = 6.0;

@@ -14,8 +14,8 @@ struct CsvTable {
   Eigen::MatrixXd values;          ///< Rows x columns; an empty cell is a NaN
 
   bool has(const std::string& name) const;
-  /// Returns the first `rows` cells of a column, or all cells. Throws Error with the nearest known
-  /// name for an unknown column, and if a returned cell is empty.
+  /// Returns the first `rows` cells of a column, or all cells. Throws Error for an empty cell among
+  /// them, and for an unknown column (with the nearest known name).
   Eigen::VectorXd column(const std::string& name, Eigen::Index rows = -1) const;
 };
 

@@ -162,8 +162,8 @@ void DescribedFile::read(void* spec, const Reader& file) const {
       for (const Key& key : section.keys) names.push_back(key.name);
   }
   file.allow_only(names);
-  // Reads sections first: a key from reads() can also set top-level entries, which a stated
-  // top-level key must override.
+  // Sections are read first: a key from reads() can also set top-level entries. If the file states
+  // a top-level key for such an entry, this key must have priority.
   for (const Section& section : sections_)
     if (!section.name.empty())
       if (const auto value = file.find(section.name)) read_section(spec, section, *value);

@@ -42,8 +42,8 @@ class DescribedFile {
   /// Refuses a key that was removed. The message names its replacement.
   DescribedFile& gone(const std::string& section, const std::string& name,
                       const std::string& instead);
-  /// Excludes keys of the description that have no effect in this file. They are not written. A
-  /// stated key is refused with `reason`, such as "the robot stands on no feet".
+  /// Excludes keys of the description that have no effect in this file. Written files omit the
+  /// keys. A file that states one is refused with `reason`: "the robot stands on no feet".
   DescribedFile& without(const std::string& section, const std::vector<std::string>& names,
                          const std::string& reason);
   /// Calls `settle` after reading, with the specification and the texts that changed it: a file, or
@@ -83,7 +83,7 @@ class DescribedFile {
   struct Section {
     std::string name, meaning, word = {};
     std::vector<Key> keys = {};
-    std::map<std::string, std::string> gone = {};  ///< Refused keys, with the end of the message
+    std::map<std::string, std::string> gone = {};  ///< End of the message, by refused key
   };
   DescribedFile& set(const std::string& section, const std::string& name, Read reading);
   Section& section_named(const std::string& name);
@@ -95,13 +95,13 @@ class DescribedFile {
   std::function<void(void*, const std::vector<Reader>&)> settle_ = {};
 };
 
-/// Override of a key: "key.path=value". `said_by` is its name in messages, such as the command-line
-/// option "--robot arm.urdf". Empty: "override 'key.path=value'".
+/// Override of a key: "key.path=value". Messages call the override `said_by`, such as the option
+/// "--robot arm.urdf", or "override 'key.path=value'" if `said_by` is empty.
 struct Override {
   std::string word, said_by = {};
 };
 
-/// Returns the words as overrides, for example of the option --set.
+/// Converts words "key.path=value", such as arguments of the option --set, to overrides.
 inline std::vector<Override> as_overrides(const std::vector<std::string>& words) {
   std::vector<Override> changes;
   for (const std::string& word : words) changes.push_back({word});

@@ -12,7 +12,7 @@ Eigen::VectorXd center_of_mass(const Model& model, const Eigen::VectorXd& q);
 Eigen::VectorXd placement_here(const Model& model, const Eigen::VectorXd& q,
                                const std::string& frame);
 /// Returns the quaternion (4) of a frame's rotation relative to the axes of `reference`, whose
-/// rotation must be constant. The tool of the reference is the frame, and its base is the world.
+/// rotation must be constant. In `reference`, tool means this frame, and base means the world.
 /// Throws Error with the nearest known name.
 Eigen::VectorXd rotation_here(const Model& model, const Eigen::VectorXd& q,
                               const std::string& frame, const Reference& reference);

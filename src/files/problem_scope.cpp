@@ -56,7 +56,7 @@ Eigen::VectorXd force_states_of(const ProblemSpec& spec, const HeldForces& force
 Holding hold(const ProblemSpec& spec, const std::vector<std::string>& contacts,
              const Eigen::VectorXd& q, const HeldForces& prescribed) {
   const int nv = spec.model.nv;
-  // Only the bias and the Jacobian are used. The compliance allows singular contacts.
+  // hold() uses only the bias and the Jacobian. The compliance `mu` allows singular contacts.
   ContactDynamics dynamics(spec.model, contacts_at(spec.contacts, spec.start_time), {.mu = 1e-6});
   for (std::size_t c = 0; c < spec.contacts.size(); ++c)
     dynamics.set_active(static_cast<int>(c), holds(contacts, name_of_contact(spec.contacts[c])));

@@ -5,8 +5,8 @@
 
 namespace burnish::files {
 
-/// Reads {name: input, ...}. An input is {kind: ..., value: ..., frame: ...}. A number or a list in
-/// its place is a constant scalar or vector. Tables of values over time are in `folder`.
+/// Reads {name: input, ...}. An input is {kind: ..., value: ..., frame: ...}, or a number or a list
+/// for a constant scalar or vector. Tables of values over time are in `folder`.
 std::vector<InputSpec> read_inputs(const Reader& reader, const Model& model,
                                    const std::filesystem::path& folder);
 /// Returns the name of the input that the key `key` of a map states, or an empty name without this

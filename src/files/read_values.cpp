@@ -139,7 +139,7 @@ Reference read_reference(const Reader& reader, const Reference& otherwise,
                          const std::filesystem::path* tables) {
   if (!reader.is_map()) return reader.named([&] { return Reference::parse(reader.text()); });
   if (const auto type = reader.find("type")) {
-    // Syntax of requests up to version 0.2.
+    // Syntax of references up to version 0.2.
     std::string axes =
         "\"normal\": " +
         (reader.has("normal") ? document::json_text(reader["normal"].node()) : "[x, y, z]");

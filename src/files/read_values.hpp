@@ -34,7 +34,7 @@ Eigen::VectorXd read_rows(const Reader& reader, const std::vector<RowGroup>& gro
                           double otherwise);
 /// Returns the total number of rows.
 int rows_of(const std::vector<RowGroup>& groups);
-/// Returns the entries of v of each joint as one group. A joint that follows another has no group.
+/// Returns one group per joint: its entries of v. A joint that follows another has no group.
 std::vector<RowGroup> velocity_rows(const Model& model);
 
 /// Returns the path of a file name in a problem file: relative names start from `folder`.

@@ -16,11 +16,11 @@ struct TargetText {
 /// the target does not fit the residual.
 Signal read_target_of(const Residual& residual, const TargetText& text);
 
-/// Reads the row weights of a State: a list, {q: ..., v: ..., tau: ...} with values as read_rows()
-/// takes them, or one number that scales default_state_weights().
+/// Reads the row weights of a residual State: a list, {q: ..., v: ..., tau: ...} with values for
+/// read_rows(), or one number that scales default_state_weights().
 Eigen::VectorXd read_state_weights(const ProblemScope& scope, const Reader& reader);
-/// Returns the default row weights of a State: 0 for torques and forces that the state keeps from
-/// the previous step, 1 for all other rows. Empty if all weights are 1.
+/// Returns the default row weights of a residual State: 0 for torques and forces that the state
+/// keeps from the previous step, 1 for all other rows. Empty if all weights are 1.
 Eigen::VectorXd default_state_weights(const ProblemScope& scope);
 
 }  // namespace burnish::files

@@ -47,7 +47,7 @@ double gain_of(const Item& item) {
   return diameter > 0.0 ? 0.25 * std::numbers::pi * diameter * diameter : item.number("area", 1.0);
 }
 
-/// Returns the largest force before the gear [N, Nm].
+/// Returns the largest force or torque of an actuator before its gear [N or Nm].
 double largest_force(const Item& item, Reading& reading) {
   bool is_even = true;
   double force = bound(item, "forcelimited", "forcerange", reading, is_even);
@@ -64,7 +64,7 @@ double largest_force(const Item& item, Reading& reading) {
   return force;
 }
 
-/// Sums of the torques on each joint.
+/// Sums of the largest torques of all actuators on each joint.
 class Efforts {
  public:
   explicit Efforts(Reading& reading) : reading_(reading), sums_(reading.tree.joints.size(), 0.0) {}

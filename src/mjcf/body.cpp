@@ -180,7 +180,7 @@ void read_range(const Item& item, JointSpec& joint, Reading& reading) {
   joint.upper = turns ? reading.compiler_of(item.xml()).angle((*stated)[1]) : (*stated)[1];
 }
 
-/// Reads the effort limit of the joint, which all its actuators share.
+/// Reads the limit of the sum of all actuator efforts on the joint.
 void read_effort(const Item& item, JointSpec& joint, Reading& reading) {
   const auto stated = item.numbers("actuatorfrcrange", 2);
   const bool has_range = stated && ((*stated)[0] != 0.0 || (*stated)[1] != 0.0);
@@ -211,7 +211,7 @@ void read_passive(const Item& item, JointSpec& joint, double ref_unit, Reading& 
                                example_of(item.xml()));
 }
 
-/// A joint with its reference and its anchor, a point of the body.
+/// A joint with its reference position (`ref`), and its anchor, a point of the body.
 struct ReadJoint {
   JointSpec spec;
   double reference = 0.0;
@@ -226,7 +226,7 @@ ReadJoint read_joint(const Within& within, const std::string& body, Reading& rea
   joint.line = line_of(item.xml());
   joint.name = item.name();
   if (joint.name.empty()) {
-    // The usual name of a floating base.
+    // A floating base without a name gets its usual name, root_joint.
     const bool is_base =
         joint.type == JointType::Floating && !reading.joints.is_taken("root_joint");
     joint.name = reading.joints.unique(is_base ? "root_joint" : body + "_joint");
@@ -256,7 +256,7 @@ ReadJoint read_joint(const Within& within, const std::string& body, Reading& rea
   return read;
 }
 
-/// Returns the transform from a joint's pose at its reference to its pose at zero.
+/// Returns the transform from a joint's pose at its reference position to its pose at zero.
 Isometry3d back_from_reference(const ReadJoint& joint) {
   Isometry3d back = Isometry3d::Identity();
   if (joint.spec.type == JointType::Revolute)
@@ -282,9 +282,9 @@ void check_free(const Within& within, const std::string& parent, std::size_t joi
                                      std::to_string(joints) + " joints");
 }
 
-/// Adds the chain of joints between two bodies. MuJoCo moves a body by each joint in turn: with
-/// anchor p, axis a and reference r, T(p) R(a, q - r) T(-p), which equals T(p) R(a, -r) R(a, q)
-/// T(-p).
+/// Adds the chain of joints between two bodies. MuJoCo moves a body by each joint in turn. A joint
+/// with anchor p, axis a and reference position r has the transform
+/// T(p) R(a, q - r) T(-p) = T(p) R(a, -r) R(a, q) T(-p).
 void join(const std::vector<Within>& joints, const std::string& parent, const std::string& body,
           const Isometry3d& placement, int line, Reading& reading) {
   TreeSpec& tree = reading.tree;

@@ -35,8 +35,8 @@ struct Compiler {
 };
 
 /// Returns the rotation from quat, axisangle, xyaxes, zaxis or euler; the identity if the item has
-/// none of them. The element itself has priority over its class. Throws Error for two of them in
-/// one element, and for values that are not a rotation.
+/// none of these attributes. The element itself has priority over its class. Throws Error for two
+/// of the attributes in one element, and for values that are not a rotation.
 Eigen::Matrix3d orientation_of(const Item& item, const Compiler& compiler);
 
 /// Returns the placement from `pos` and orientation_of().

@@ -39,7 +39,7 @@ void read_spring(const Item& item, double at_rest, TendonSpec& tendon, Reading& 
   const XMLElement* at = item.stating("springlength");
   if (at == nullptr) return;
   const std::vector<double> stated = all_numbers(*at, "springlength", place_of(*at));
-  if (stated.empty() || stated[0] < 0.0) return;  // -1: length at the rest of the joint springs
+  if (stated.empty() || stated[0] < 0.0) return;  // -1: rests at `at_rest`
   tendon.rest = stated[0];
   if (stated.size() < 2 || stated[1] == stated[0]) return;
   tendon.stiffness = 0.0;
@@ -173,8 +173,8 @@ void hold(JointSpec& joint, double value, const Item& item, Reading& reading) {
       example_of(item.xml()) + " holds joint " + in_quotes(joint.name));
 }
 
-/// Fixes the free joint of the coupling second = multiplier * first + offset, whose other joint is
-/// held, at the value that results.
+/// Fixes the second joint of the coupling second = multiplier * first + offset if the first is
+/// held, or the first joint if the second is held.
 void couple_to_held(JointSpec& second, JointSpec& first, const MimicSpec& coupling,
                     const Item& item, Reading& reading) {
   if (first.type != JointType::Fixed) {

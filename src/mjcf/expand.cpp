@@ -43,7 +43,7 @@ void set(XMLElement& element, const char* attribute, const std::string& value) {
   element.SetAttribute(attribute, value.c_str());
 }
 
-/// Renames those of the attributes that the element has.
+/// Renames the values of the listed attributes, as far as the element has them.
 template <std::size_t n>
 void rename(XMLElement& element, const std::array<const char*, n>& attributes,
             const Renaming& renaming) {
@@ -84,7 +84,7 @@ void gather(const Elements& elements, NamesByKind& found, Reading& reading) {
 
 // ---- Elements that name copied elements
 
-/// Number of references of an element (or of a part of a tendon) to copied and to other elements.
+/// Numbers of references from an element and its parts to copied elements and to other elements.
 struct Reach {
   int among = 0, others = 0;
   void add(const XMLElement& element, const NamesByKind& copied) {

@@ -125,8 +125,8 @@ Triangles from_ascii_stl(const std::string& text, const std::string& source) {
   return mesh;
 }
 
-/// Returns the vertex of "7", "7/1" or "-2//3". Positive numbers count from 1, negative numbers
-/// from the end.
+/// Returns the index of the vertex that an OBJ face names as "7", "7/1" or "-2//3". Positive
+/// numbers in the file count from 1, negative numbers from the end.
 int index_of(std::string_view word, std::size_t vertices, const std::string& source) {
   long stated = 0;
   std::from_chars(word.data(), word.data() + word.size(), stated);

@@ -31,8 +31,8 @@ class DepthGuard {
 
 class Source {
  public:
-  /// Parses the main file. `folder` is where to search files that the model names; nothing: no file
-  /// is opened. Throws Error if the outermost element is not <mujoco>.
+  /// Parses the main file. Files that the model names are searched in `folder`; without a folder,
+  /// no file is opened. Throws Error if the outermost element is not <mujoco>.
   Source(const std::string& xml, const std::string& name,
          std::optional<std::filesystem::path> folder);
 

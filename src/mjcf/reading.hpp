@@ -26,7 +26,7 @@ struct MeshAsset {
   const XMLElement* xml = nullptr;
   std::string file;  ///< Relative to the main file's folder; empty: the mesh does not have a file
   Eigen::Vector3d scale = Eigen::Vector3d::Ones();
-  /// Pose that is moved to the origin before scaling
+  /// Pose in the file that becomes the origin of the mesh, before the mesh is scaled
   Eigen::Isometry3d reference = Eigen::Isometry3d::Identity();
   MeshInertia inertia = MeshInertia::Legacy;
   bool is_hull = false;  ///< The file asks for the inertia of the convex hull

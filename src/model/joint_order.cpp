@@ -30,11 +30,11 @@ bool has_w_first(JointKind kind, JointConvention convention) {
   return convention == JointConvention::Mujoco && unit_entries(kind) == 4;
 }
 
-/// Move the first entry w of the quaternion x to its end, and the last entry w to its front.
+/// Reorder a quaternion from (w, x, y, z) to (x, y, z, w), and from (x, y, z, w) to (w, x, y, z).
 void w_to_end(Eigen::Ref<VectorXd> x) { std::rotate(x.begin(), x.begin() + 1, x.end()); }
 void w_to_front(Eigen::Ref<VectorXd> x) { std::rotate(x.begin(), x.end() - 1, x.end()); }
 
-/// Replace the last entry, an angle, by its (cos, sin), and such a pair by its angle.
+/// Replace an angle at the end of x by the pair (cos, sin), and a pair at the end by the angle.
 VectorXd with_pair(const VectorXd& x) {
   const Eigen::Index size = x.size() - 1;
   VectorXd result(size + 2);

@@ -69,7 +69,7 @@ class LinkWalk {
   struct Pending {
     const LinkSpec* link;
     const JointSpec* joint;
-    int subtree;  ///< Index of the subtree below a joint of the world, -1 if fixed to the world
+    int subtree;  ///< Index of the subtree that moves in the world, -1 if fixed to the world
     int parent;   ///< Index of the parent among the moving links, -1 if none
     double path;  ///< Path length from the first joint that moves the link [m]
   };

@@ -20,7 +20,7 @@ struct MovingLink {
 /// Moving links of a robot.
 struct MovingLinks {
   std::vector<MovingLink> links;  ///< Parents before children
-  int joints_in_a_subtree = 0;    ///< Largest number of joints below a world joint, inclusive
+  int joints_in_a_subtree = 0;    ///< Largest number of moving joints in a subtree of the world
   double mass = 0.0;              ///< Sum of the masses [kg]
   double skeleton = 0.0;          ///< Reach of joints and shapes from the first joint [m]
   double reach = 0.0;  ///< Reach including centres of mass, except those that are far off [m]

@@ -7,9 +7,9 @@
 namespace burnish {
 
 Eigen::Matrix3d rotation_from_z(const Eigen::Vector3d& axis) {
-  // For axis.z() >= 0, this is the shortest rotation from z to the axis. Otherwise, it is half a
-  // turn about x, then the shortest rotation from -z to the axis. Both cases are far from the
-  // singularity at opposite vectors, and exact for axes along x, y or z.
+  // The result is the shortest rotation from z to the axis if axis.z() >= 0. Otherwise, the result
+  // is half a turn about x, then the shortest rotation from -z to the axis. Both cases are far from
+  // the singularity at opposite vectors, and exact for axes along x, y or z.
   const bool above = axis.z() >= 0.0;
   const Eigen::Vector3d from(0.0, 0.0, above ? 1.0 : -1.0);
   const Eigen::Vector3d cross = from.cross(axis);

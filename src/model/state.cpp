@@ -208,7 +208,7 @@ double uniform(std::mt19937_64& generator) {
 }
 
 double random_coordinate(double lower, double upper, double reach, std::mt19937_64& generator) {
-  // Larger limits count as infinite. At 1e16 rad, rounding errors of an angle exceed 1 rad.
+  // Limits beyond `furthest` count as infinite, since huge angles have large rounding errors.
   constexpr double furthest = 1e4;  // chosen by hand [rad, m]
   if (lower < -furthest) lower = -std::numeric_limits<double>::infinity();
   if (upper > furthest) upper = std::numeric_limits<double>::infinity();

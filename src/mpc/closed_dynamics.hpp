@@ -8,8 +8,8 @@
 
 namespace burnish {
 
-/// Returns the contacts of those supports that carry the robot: they are in contact in every stage,
-/// and not in MpcSpec::resting_supports. They are in the order of ProblemSpec::contacts.
+/// Returns the contacts of supports that always carry the robot: all supports in contact in every
+/// stage, except MpcSpec::resting_supports. The order is that of ProblemSpec::contacts.
 std::vector<ContactSpec> supports_of(const MpcSpec& spec);
 
 /// Returns dynamics whose only contacts are `supports` and the loops of the robot. The gains of

@@ -84,8 +84,8 @@ const char* words(FaultKind kind) {
   return "";
 }
 
-/// Returns the subject of a fault, such as a joint, which is written before the numbers; empty if
-/// there is none.
+/// Returns the start of a fault's sentence, which names the subject, such as "joint 'elbow': ";
+/// empty: no subject.
 std::string subject_of(const FaultReport& fault) {
   if (!fault.joint_name.empty()) return "joint '" + fault.joint_name + "': ";
   if (fault.joint >= 0) return "entry " + std::to_string(fault.joint) + " of v: ";

@@ -133,10 +133,10 @@ void Holding::remove_failed_motor() noexcept {
 
 /// Blends the dynamics of standing and hanging legs. An unloaded foot does not support the robot,
 /// and its leg hangs; torques for a standing leg would make this leg kick. S is the diagonal matrix
-/// of load fractions s. The load fraction of a joint is the load of its foot relative to an equal
-/// distribution of the weight. Joints that do not lie between a foot and the base have the load
-/// fraction of all feet together. The blended inertia is S^1/2 M_closed S^1/2 + (1 - S)^1/2 M_open
-/// (1 - S)^1/2, which is again a valid inertia.
+/// of load fractions s: 1 for a joint whose foot has load, 0 for a joint whose foot has none.
+/// Joints that do not lie between a foot and the base have the load fraction of all feet together.
+/// With the inertias M_closed of standing and M_open of hanging legs, the blended inertia is
+/// S^1/2 M_closed S^1/2 + (1 - S)^1/2 M_open (1 - S)^1/2.
 void Holding::blend_with_hanging(const Eigen::VectorXd& q, const Wrenches& wrenches) noexcept {
   if (feet_.empty()) return;
   double total_load = 0.0;
@@ -144,7 +144,7 @@ void Holding::blend_with_hanging(const Eigen::VectorXd& q, const Wrenches& wrenc
     if (foot.sensor >= wrenches.cols()) return;
     total_load += wrenches.col(foot.sensor).head<3>().norm();
   }
-  // Load fraction below which a leg is blended with a hanging leg; chosen by hand.
+  // Load from which s is 1, as a fraction of an equal share of the weight; chosen by hand.
   constexpr double full_load = 0.3;
   const auto fraction = [&](double load, double nominal) {
     return std::isfinite(load) ? std::clamp(load / (full_load * nominal), 0.0, 1.0) : 1.0;

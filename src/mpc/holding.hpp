@@ -16,10 +16,10 @@ struct HoldingSpec {
   Eigen::VectorXd q_start;  ///< Configuration until the first valid measurement.
   Fallback fallback;
   double tick_period;  ///< Time between ticks [s].
-  double bad;          ///< Longest time with invalid measurements [s].
+  double bad;          ///< SafetyLimits::bad [s].
   std::vector<ContactSpec>
       supports;              ///< Contacts that hold the robot in every stage, except loops.
-  std::vector<int> sensors;  ///< Column of the wrenches, per support; -1: no sensor.
+  std::vector<int> sensors;  ///< Column of each support in the wrenches; -1: no sensor.
   std::vector<SoleLimits::Sole> soles;  ///< Soles of the supports with sensors.
 };
 
@@ -28,8 +28,8 @@ class Holding {
   Holding(const HoldingSpec& spec, std::vector<int> actuated);
 
   void reset() noexcept;
-  /// Sets the payload at a frame, see ContactDynamics::set_payload(). `loaded`: body of the frame
-  /// including the payload; its status must be Ok.
+  /// Sets the payload at a frame, see ContactDynamics::set_payload(). `loaded`: body that carries
+  /// the frame, including the payload; LoadedBody::status must be Ok.
   void set_payload(std::string_view frame, const InertiaSpec& payload, const LoadedBody& loaded);
   /// Marks a motor as failed until reset(). `entry`: entry of v that the motor drives; -1: no
   /// failed motor.

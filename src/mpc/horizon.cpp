@@ -86,8 +86,8 @@ void Horizon::guess_shifted(const Eigen::VectorXd& x, const DdpSolver& solver,
   guess_x_.row(0) = x.transpose();
 }
 
-/// Returns the position of a knot in the last solution, as a fractional knot number. The horizon
-/// now begins `elapsed` [s] later than the last solution.
+/// Returns the position of a knot in the last solution, as a fractional knot number. `elapsed`:
+/// time from the start of the last solution to the start of the horizon [s].
 double Horizon::place_in_solution(int knot, double elapsed) const noexcept {
   if (given_.is_even())
     return std::min(knot + elapsed / given_.step(0), static_cast<double>(given_.knots()));

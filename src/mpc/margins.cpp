@@ -14,8 +14,8 @@ namespace {
 // disturbance needs about half a second to grow from joint noise to the speed limit. In simulations
 // of 12 arms, faster growth led to faults.
 constexpr double max_growth = 8.0;
-// Mean bandwidth increase in a transient, as a fraction of the largest increase. The bandwidth
-// scale decays within 0.15 s. In simulations, faults occur if the loop is unstable at this
+// Mean increase of the observer's bandwidth in a transient, as a fraction of the largest increase.
+// The increase decays within 0.15 s. In simulations, faults occur if the loop is unstable at this
 // fraction, but not if it is unstable only at the largest bandwidth.
 constexpr double mean_transient_scale = 0.5;
 
@@ -99,8 +99,8 @@ struct LoopAnalysis::Impl {
 };
 
 /// Returns the largest additional delay with which the loop is stable, at most `furthest` [s].
-/// Delays are tried in steps. Between two steps, the limit is extrapolated from the growth rates at
-/// the next two unstable delays.
+/// Tried delays are multiples of the plant's step. Between two multiples, the result is
+/// extrapolated from the growth rates at the next two unstable delays.
 double LoopAnalysis::Impl::largest_delay(Case with, double furthest) const {
   const auto excess = [&](int steps) {
     with.delay_steps = steps;
@@ -117,8 +117,8 @@ double LoopAnalysis::Impl::largest_delay(Case with, double furthest) const {
   return std::clamp((unstable - back) * loop.dt(), 0.0, furthest);
 }
 
-/// Returns the factor on the torque of an entry beyond which the loop is unstable. It lies between
-/// 1 and `furthest`, and is 1 if the loop is unstable without a factor.
+/// Returns the largest factor on the torque of entry `entry` of v with which the loop is stable.
+/// The factor is between 1 and `furthest`. It is 1 if the loop is unstable without a factor.
 double LoopAnalysis::Impl::limit_of_gain(const Case& with, int entry, double furthest) const {
   if (is_stable(with, entry, furthest)) return furthest;
   if (!is_stable(with, entry, 1.0)) return 1.0;

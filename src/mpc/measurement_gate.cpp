@@ -129,8 +129,8 @@ void MeasurementGate::bridge(FaultLatch& latch, FaultKind kind, double limit) no
     latch.explain(bad_);
 }
 
-/// Returns true if `entries` has a wrong number of columns or a column that is not finite, and
-/// describes this defect. `names`: names of the columns.
+/// Returns true if `entries` has a wrong number of columns or a column that is not finite.
+/// Describes the first such defect in bad_. `names`: names of the columns.
 template <class Entries>
 bool MeasurementGate::is_bad(const char* what, const Entries& entries,
                              const std::vector<std::string>& names) noexcept {

@@ -30,8 +30,8 @@ class MeasurementGate {
 
   void reset() noexcept;
   /// Checks the measurement of a tick. After a fault, only position and velocity must be valid.
-  /// Sets `status` to NotEvaluated if the time does not increase, and to NotFinite for an invalid
-  /// measurement. Otherwise, `status` is unchanged.
+  /// Sets `status` to NotEvaluated if the time does not increase, and to NotFinite for any other
+  /// invalid measurement. A valid measurement leaves `status` unchanged.
   void take(const Measurement& m, FaultLatch& latch, Status& status) noexcept;
 
   bool is_fresh() const { return fresh_; }  ///< True if the measurement of this tick is valid.
@@ -47,17 +47,17 @@ class MeasurementGate {
   /// Returns the force of the surface on the tool at the last valid measurement, in world axes [N].
   /// The force is zero without a tool.
   const Eigen::Vector3d& tool_force_world() const { return tool_force_world_; }
-  /// Returns the wrenches at the last valid measurement, one column per touch with a sensor except
-  /// the tool. A moment that is not measured is zero.
+  /// Returns the wrenches at the last valid measurement: one column per touch with a sensor, such
+  /// as a foot, except the tool. A moment that is not measured is zero.
   const Wrenches& wrenches() const { return wrenches_; }
   /// Sets the force at the tool for robots without a force sensor, in world axes [N].
   void feel(const Eigen::Vector3d& force_world) noexcept { tool_force_world_ = force_world; }
-  /// Multiplies the velocity of last() by `factor`. Called while the last valid measurement is old.
+  /// Multiplies the velocity of last() by `factor`, for ticks without a valid measurement.
   void fade_velocity(double factor) noexcept { last_.v *= factor; }
 
  private:
   bool accept(const Measurement& m, FaultLatch& latch, Status& status) noexcept;
-  /// Touch with a sensor.
+  /// Sensor of a touch (tool or foot).
   struct Sensor {
     std::string frame;
     Eigen::Index column;  ///< Column of Measurement::wrenches.
@@ -83,7 +83,7 @@ class MeasurementGate {
   Eigen::Index touches_;        ///< Number of columns of Measurement::wrenches.
   std::optional<Sensor> tool_;  ///< Force sensor at the tool.
   int tool_frame_ = -1;
-  std::vector<Sensor> sensors_;  ///< Sensors of the other touches.
+  std::vector<Sensor> sensors_;  ///< Sensors of all touches except the tool.
   Eigen::VectorXd q_start_;
   RobotState state_;
   Measurement last_;  ///< Last valid measurement, with its own time.

@@ -25,8 +25,8 @@ std::unique_ptr<MpcTask> checked_task(std::unique_ptr<MpcTask> made) {
 }
 
 /// Returns `options` with memory for solves of up to `iterations`. L1 penalty weights are never
-/// raised, because there is no time for further solves; a constraint that its weight cannot enforce
-/// is violated.
+/// raised, because there is no time for further solves. A constraint whose weight is too small is
+/// violated.
 DdpOptions solver_options(DdpOptions options, int iterations) {
   options.limits.max_l1_weight = 0.0;
   options.max_iterations = std::max(options.max_iterations, iterations);
@@ -249,8 +249,7 @@ void MpcController::Impl::update() noexcept {
 /// error.
 bool MpcController::Impl::prepare_plan() noexcept {
   // Rounds delays to ticks, because a plan that is computed within a tick comes into use at a tick.
-  // A thread's plan that is finished late comes into use immediately; waiting for a tick would make
-  // it older.
+  // A plan that a thread finishes late comes into use at once: plans lose accuracy with age.
   const double exact = expected_ / spec.tick_period;
   const double ticks = spec.timing == PlanTiming::Thread ? std::max(1.0, std::round(exact))
                                                          : std::ceil(exact - 0.01);
@@ -463,8 +462,8 @@ void MpcController::Impl::fall_back() noexcept {
   error.joint_friction().rest();
 }
 
-/// Clips the torque to the effort limits. `controls`: true to apply the additional limits
-/// `torque_limit` too, from which the fallback is exempt.
+/// Clips the torque to the effort limits. `controls`: true for a torque by the policy, to which the
+/// additional limits MpcSpec::torque_limit apply; false for a torque by the fallback.
 void MpcController::Impl::limit_torque(bool controls) noexcept {
   const Eigen::VectorXd& effort = spec.problem.model.effort_limit;
   const bool is_cut = controls && spec.torque_limit.size() > 0;

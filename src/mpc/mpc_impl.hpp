@@ -57,8 +57,8 @@ struct MpcController::Impl {
   void keep_exception() noexcept;
   const Eigen::VectorXd& measured_state() noexcept;
   const Eigen::VectorXd& acting_state() noexcept;
-  /// Returns the time at which the command of this tick acts [s]. A plan comes into use at such a
-  /// time.
+  /// Returns the time at which the command of this tick acts [s]. Plans come into use at the time
+  /// at which a command acts.
   double acting_time() const noexcept { return gate.now() + ahead_.lead(); }
 
   int ticks_per_update_;
@@ -86,8 +86,8 @@ struct MpcController::Impl {
     bool jumped = false;  ///< True if the schedule's clock jumped since the last usable plan.
     bool warm = false;    ///< True if the solver's last trajectory can be the initial guess.
     bool first = false;   ///< True if no plan is followed yet.
-    /// Time, time of the schedule and assumed delay, for the measurement from which the plan is
-    /// computed [s].
+    /// Time of the measurement from which the plan is computed, time of the schedule when the
+    /// command acts, and assumed delay of the plan [s].
     double now = 0.0, schedule_time = 0.0, delay = 0.0;
   };
   /// Result of a request.
@@ -98,10 +98,10 @@ struct MpcController::Impl {
     std::exception_ptr thrown = {};
   };
   PlanLife life_;
-  PlanRequest next_;  ///< Request of the next plan, which ticks collect.
-  /// Request of the last plan that was begun, and its result. During the computation, only the
-  /// computing thread may use the result, the problem, the solver, the horizon, the prediction and
-  /// the policy's next plan. Request and plan in use stay unchanged.
+  PlanRequest next_;  ///< Request of the next plan, filled in by ticks.
+  /// Request and result of the last plan that was begun. During the computation, only the computing
+  /// thread may use result_, the problem, the solver, the horizon, the prediction and the policy's
+  /// next plan. request_ and the plan in use stay unchanged.
   PlanRequest request_;
   PlanResult result_;
   Policy in_use_;  ///< Copy of the policy in use when the computation started.

@@ -21,8 +21,8 @@ std::vector<std::string> measured_frames(const MpcSpec& spec) {
   return frames;
 }
 
-/// Returns the time steps of the knots for which a plan is kept. They cover the time until a run is
-/// stopped because too many updates have failed.
+/// Returns the time steps of the knots that a plan keeps. These knots cover the longest time for
+/// which a plan is followed: until a fault after too many failed updates.
 std::vector<double> plan_steps(const MpcSpec& spec) {
   // With other kinds of PlanTiming, the computing time has no limit, so that all knots are kept.
   if (spec.timing != PlanTiming::Fixed) return knot_steps(spec.problem);

@@ -49,7 +49,7 @@ bool is_at_tool(const MpcSpec& spec, const ContactSpec& contact) {
   return contact.tool == spec.tool && contact.base == base_of(spec);
 }
 
-/// Returns true for a ContactForce of a contact with one direction, in the contact's own reference.
+/// Returns true for a ContactForce of a one-directional contact, in the contact's reference frame.
 bool is_one_force(const Residual& residual, const std::vector<ContactSpec>& contacts) {
   const auto* force = std::get_if<residual::ContactForce>(&residual);
   if (force == nullptr || force->reference || force->target.size() != 1) return false;
@@ -67,8 +67,7 @@ bool is_place_of_tool(const Residual& residual, const MpcSpec& spec) {
          place->reference.origin == from && !place->reference.quadric;
 }
 
-/// Calls see(term) for each cost and constraint of the stages. Terms at the end of the horizon are
-/// left out.
+/// Calls see(term) for each cost and constraint of the stages; skips terms at the horizon's end.
 template <class See>
 void each_term(ProblemSpec& problem, const See& see) {
   for (Stage& stage : problem.stages) {

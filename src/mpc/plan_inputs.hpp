@@ -10,10 +10,10 @@
 
 namespace burnish {
 
-/// Returns the specification as a controller uses it. Adds a normal of length 1, contacts for the
-/// robot's loops, and fade speeds. Adds the following inputs, unless the specification declares
-/// them. Added inputs are used by contacts, and by costs and constraints of stages, that name no
-/// other input:
+/// Returns the specification as a controller uses it. Normalizes the surface normal, and adds
+/// contacts for the robot's loops, fade speeds, and the inputs below unless the specification
+/// declares them. Added inputs are used in the listed places, except where another input is named
+/// already. Terminal costs are left out unless they are listed:
 /// - `surface`: contacts of the tool on a curved surface of MpcSpec::base; target positions of the
 ///   tool relative to MpcSpec::base, also in terminal costs;
 /// - `tool_friction`: contacts with friction between the tool and MpcSpec::base;
@@ -30,8 +30,8 @@ MpcSpec completed(MpcSpec spec);
 std::vector<int> contacts_on_surface(const std::vector<ContactSpec>& contacts);
 std::vector<int> contacts_with_friction(const std::vector<ContactSpec>& contacts);
 
-/// Sets the inputs of the problem of a completed specification. Values of inputs that the problem
-/// lacks are ignored.
+/// Sets inputs of a problem whose specification completed() returned. Values of inputs that the
+/// problem lacks are ignored.
 class PlanInputs {
  public:
   explicit PlanInputs(const MpcSpec& spec);

@@ -9,8 +9,8 @@
 namespace burnish {
 namespace {
 
-// Steps of the finite differences. Plans are almost linear over such steps, and solver errors are
-// much smaller.
+// Steps of the finite differences. Plans are almost linear over such steps, and errors of the
+// solver are much smaller than the differences.
 constexpr double state_step = 1e-5;   // [rad (m), rad/s (m/s), Nm (N)]
 constexpr double torque_step = 1e-2;  // [Nm (N)]
 

@@ -32,10 +32,10 @@ class Policy {
   void load(const DdpSolver& solver, double time, const KnotTimes& times,
             double done = -std::numeric_limits<double>::infinity(),
             double measured = -std::numeric_limits<double>::infinity()) noexcept;
-  /// First part of load(), which takes most of its time. A planning thread may call it while ticks
-  /// run, provided that waits() is false.
+  /// First part of load(), with most of the work. A planning thread may call it while ticks run,
+  /// provided that waits() is false.
   void fill(const DdpSolver& solver, const KnotTimes& times) noexcept;
-  /// Second part of load(), which takes little time. The parameters are those of load().
+  /// Second part of load(), with little work. The parameters are those of load().
   void offer(double time, double done, double measured) noexcept;
   /// Copies the plan that `other` uses, so that a prediction can use it while ticks run.
   void follow(const Policy& other) noexcept { plan_.follow(other.plan_); }
@@ -58,9 +58,9 @@ class Policy {
   Eigen::VectorXd effort_;  ///< Effort limits, nu [Nm or N].
   bool feeds_back_;
   double rounding_;  ///< Tolerance of the time at which a plan comes into use [s].
-  /// Measurement time of plan_ [s].
+  /// Time of the measurement from which plan_ was computed [s].
   double measured_ = -std::numeric_limits<double>::infinity();
-  double next_measured_ = 0.0;  ///< Measurement time of next_ [s].
+  double next_measured_ = 0.0;  ///< As measured_, for next_ [s].
   double next_time_ = 0.0;      ///< Time at which next_ comes into use [s].
   bool next_ready_ = false;     ///< True if next_ is loaded and not yet in use.
 };

@@ -32,8 +32,7 @@ struct LoopState {
   Eigen::MatrixXd q_before, v_measured;   ///< State of the velocity measurement.
   Eigen::MatrixXd force, force_measured;  ///< Force along the normal.
   Eigen::MatrixXd v_observed, error;      ///< State of the observer of the model error.
-  Eigen::MatrixXd late;  ///< Command and change of gravity torque, low-pass filtered with the lag
-                         ///< of the observer.
+  Eigen::MatrixXd late;        ///< Torque in the observer, low-pass filtered with the lag.
   Eigen::MatrixXd plan_error;  ///< Torque error that the plan in use assumes.
   Eigen::MatrixXd command, motor;
   Eigen::MatrixXd acted, offset;  ///< State of the torque model.

@@ -56,7 +56,7 @@ SoleLimits::SoleLimits(const Model& model, const Eigen::VectorXd& q, const std::
       const Eigen::Vector3d a = motion.jacobian.col(one.v_index).tail<3>();
       const Eigen::Vector3d linear = motion.jacobian.col(one.v_index).head<3>();
       // Stops at a joint whose axis is too far from the sole. The length of `linear` is the
-      // distance of the axis.
+      // distance between them.
       if (linear.norm() > near * (body.com().z() - at.translation().z())) break;
       if (std::abs(a.z()) > upright) continue;
       const auto [lower, upper] = moments_of_corners(sole, at.linear(), a, linear.z());

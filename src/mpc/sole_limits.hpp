@@ -17,7 +17,7 @@ class SoleLimits {
   /// Sole of a support with a force sensor.
   struct Sole {
     std::string frame;      ///< Frame of the robot at the middle of the sole.
-    int sensor;             ///< Column of the wrenches.
+    int sensor;             ///< Column of MeasurementGate::wrenches().
     double half_x, half_y;  ///< Half sides [m].
   };
   /// Creates limits for the ankles, which are the joints next to a sole in the configuration `q`.
@@ -32,7 +32,7 @@ class SoleLimits {
  private:
   struct Ankle {
     int entry;            ///< Entry of v.
-    Eigen::Index sensor;  ///< Column of the wrenches.
+    Eigen::Index sensor;  ///< Column of MeasurementGate::wrenches().
     double lower, upper;  ///< Limits of the torque per newton of load [m].
     double hanging;       ///< Additional torque allowance, to hold a foot without load [Nm].
   };

@@ -7,7 +7,7 @@ namespace burnish {
 namespace {
 
 constexpr double resolution = 1e-3;  // difference between two compared lags [s]
-constexpr double window = 0.03;      // averaging time of differences [s]
+constexpr double window = 0.03;      // averaging time of torque differences [s]
 constexpr double usual = 100.0;      // assumed effort limit of unlimited joints [Nm (N)]
 
 }  // namespace
@@ -51,9 +51,9 @@ void TorqueLag::look(const ConstVectorRef& sent, const Eigen::VectorXd& measured
     }
   }
   errors_ += weight * (now_ - errors_);
-  // A lag is visible under two conditions. The difference without a delay must exceed `noise`, a
-  // fraction of the effort limit. A delay must reduce the mean square of the difference to at most
-  // the fraction `explained`.
+  // A lag is visible under two conditions. The torque difference without a delay must exceed
+  // `noise`, a fraction of the effort limit. The best delay must reduce the mean square of the
+  // torque difference to less than the fraction `explained`.
   constexpr double noise = 0.01, explained = 0.25;
   Eigen::Index best = 0;
   const double error = errors_.minCoeff(&best);

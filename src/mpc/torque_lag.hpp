@@ -22,8 +22,8 @@ class TorqueLag {
 
   /// Returns the lag [s], in steps of about 1 ms; 0 if no lag is visible.
   double seconds() const noexcept { return best_ * step_ * tick_period_; }
-  /// Returns the mean over 30 ms of the commanded torque, delayed by the lag, minus the measured
-  /// torque [Nm or N].
+  /// Returns the mean torque difference over 30 ms [Nm or N]: commanded torque, delayed by the lag,
+  /// minus measured torque.
   double gap(int entry) const noexcept { return gaps_(entry, best_); }
 
  private:

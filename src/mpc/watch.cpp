@@ -72,8 +72,8 @@ void MotorWatch::look(const MeasurementGate& gate, const ConstVectorRef& tau_bef
 /// N]. The limit is lower for a motor that delivers almost nothing, so that a dead motor is found
 /// earlier than a weak one.
 double MotorWatch::max_gap(int entry) const noexcept {
-  // Delivered fraction below which a motor counts as dead, and factor on the limit of a dead motor
-  // (see SafetyLimits::torque_gap).
+  // Fraction of the commanded torque below which a motor counts as dead, and factor on the limit of
+  // a dead motor (see SafetyLimits::torque_gap).
   constexpr double dead = 0.2, dead_factor = 0.6;
   const double measured = std::abs(commanded_[entry] - lag_.gap(entry));
   const bool delivers = measured > dead * std::abs(commanded_[entry]);

@@ -128,7 +128,7 @@ void load_loops(const Model& model, int first, mjModel& m) {
 
 std::string touch_name(std::size_t i) { return "touch_" + std::to_string(i); }
 
-/// Returns MuJoCo's geom of the part of the robot, without name and collision.
+/// Returns geom attributes for the robot's part (tool or foot), except name and collision.
 std::string part_of(const Model& model, const TouchSpec& touch) {
   constexpr double half_thickness = 0.01;  // of a rectangle, m
   Eigen::Isometry3d in_body = model.frames[to_size(model.frame_index(touch.frame))].placement;
@@ -139,8 +139,8 @@ std::string part_of(const Model& model, const TouchSpec& touch) {
          numbers(touch.half_x, touch.half_y, half_thickness) + "\"";
 }
 
-/// Adds a touch and its surface. They collide only with each other, by their own collision bit, and
-/// only if MuJoCo computes the contact.
+/// Adds a touch (tool or foot) and its surface. The two geoms have a collision bit of their own, so
+/// they collide only with each other. Without `collides`, they do not collide.
 void add_touch(const Model& model, const TouchSpec& touch, std::size_t i, bool collides,
                Additions& to) {
   const SurfaceSpec& surface = touch.surface;
@@ -171,7 +171,7 @@ void add_touches(const Model& model, const SceneSpec& scene, bool own_contact, A
     add_touch(model, scene.touches[i], i, own_contact || scene.touches[i].is_support, to);
 }
 
-/// Returns the touches with their surfaces, followers and loops as additions to the robot's text.
+/// Returns the additions to the robot's text: touches with their surfaces, followers and loops.
 Additions additions_for(const Model& model, const SceneSpec& scene,
                         const MujocoPlantOptions& options) {
   Additions result;
@@ -198,8 +198,8 @@ Additions additions_for(const Model& model, const SceneSpec& scene,
   return result;
 }
 
-/// Sets the stiffness [N/m] and the damping [Ns/m] of a contact on both geoms. `d` is the
-/// impedance, in (0, 1).
+/// Sets stiffness [N/m] and damping [Ns/m] of a contact, on the geoms of the touch and of its
+/// surface. `d` is MuJoCo's impedance, in (0, 1).
 void load_contact(double stiffness, double damping, mjtNum d, mjModel& m, const TouchIds& touch) {
   const double inverse_inertia =
       m.body_invweight0[2 * touch.body] + m.body_invweight0[2 * m.geom_bodyid[touch.surface_geom]];
@@ -230,8 +230,8 @@ void load_joint_friction(const Model& model, const Coordinates& coordinates, mjM
   }
 }
 
-/// Sets the equality constraints of followers, which are the first equalities: they accelerate like
-/// their leaders, and the plant corrects their positions after each step. Returns their number.
+/// Sets the equality constraints of followers, which precede the others. Followers accelerate like
+/// their leaders; the plant corrects their positions after steps. Returns the number of followers.
 int load_followers(mjModel& m) {
   constexpr mjtNum d = mjMAXIMP;
   int i = 0;
@@ -287,7 +287,7 @@ Engine::Engine(const Model& robot, const SceneSpec& wanted, const MujocoPlantOpt
 }
 
 void Engine::stiffen_equalities() const {
-  // Reduces the error that remains at MuJoCo's largest impedance, 1e-4 of the acceleration.
+  // At MuJoCo's largest impedance, the error is 1e-4 of the acceleration. This scale reduces it.
   constexpr mjtNum compliance_scale = 1e-4;
   for (int row = 0; row < d->nefc; ++row) {
     if (d->efc_type[row] != mjCNSTR_EQUALITY) continue;

@@ -8,9 +8,9 @@
 
 namespace burnish::mujoco {
 
-/// MuJoCo's ids of a touch: geom and body of the part of the robot, geom of its surface, site of
-/// the touch's frame, and site of the frame that carries the surface (-1: the surface is in the
-/// world).
+/// MuJoCo's ids of a touch: geom and body of the robot's part (tool or foot), geom of the surface,
+/// site of the touch's frame, and site of the frame that carries the surface (-1: the surface is in
+/// the world).
 struct TouchIds {
   int geom, body, surface_geom, site, surface_site;
 };
@@ -25,7 +25,7 @@ struct Engine {
   DataPointer d;
   Coordinates coordinates;
   std::vector<TouchIds> touches;  ///< Touches of the scene, in its order
-  bool own_contact;               ///< Whether MuJoCo computes the contact of tools, too
+  bool own_contact;               ///< Whether MuJoCo computes contacts of tools, not only supports
 
   /// Returns whether MuJoCo computes the contact of a touch.
   bool computes(const TouchSpec& touch) const { return own_contact || touch.is_support; }
@@ -35,8 +35,8 @@ struct Engine {
   void stiffen_equalities() const;
 
   /// Lets tools and their surfaces collide only if there is surface under the tool, at the
-  /// configuration in `d`. `wrenches` are those of the previous step, 6 x touches. Must be called
-  /// before mj_fwdPosition().
+  /// configuration in `d`. `wrenches` (6 x touches) are the contact wrenches of the previous step.
+  /// Must be called before mj_fwdPosition().
   void update_surface_extents(const Wrenches& wrenches) const;
 
   /// Sets the friction of every support at a time [s], if the scene has slippery ground. Must be

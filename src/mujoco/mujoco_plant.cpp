@@ -162,7 +162,7 @@ void MujocoPlant::read() {
   friction_ += spring_torque_;
 }
 
-/// Saves all data on which MuJoCo's next steps depend (the warm start affects the last digits).
+/// Saves all data on which MuJoCo's next steps depend. The warm start affects the last digits.
 void MujocoPlant::store_moment(double* to) const {
   const mjModel* m = engine_.m.get();
   const mjData* d = engine_.d.get();

@@ -1,4 +1,4 @@
-// Figures of a run as JSON, under their keys (report/figures.hpp).
+// Key figures of a run as JSON, by the names in report/figures.hpp.
 #pragma once
 
 #include "record/json_text.hpp"

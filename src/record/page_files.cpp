@@ -35,7 +35,7 @@ void check_page() {
 std::vector<std::string> PageWriter::write(const fs::path& folder,
                                            const std::function<RunPage()>& make) {
   std::vector<std::string> written;
-  std::error_code ignored;  // Files of an earlier run in this folder
+  std::error_code ignored;  // Errors in removing files of an earlier run
   for (const char* name : {"run.json", "run.html", "run.mcap"}) fs::remove(folder / name, ignored);
   if ((!pages_ && !recordings_) || !make) return written;
   RunPage page = make();

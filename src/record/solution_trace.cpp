@@ -125,7 +125,7 @@ struct RowWriter {
     }
   }
 
-  /// Target position of a frame, and the frame's distance from it along the weighted rows.
+  /// Target position of a frame, and the frame's distance from this target along rows with weight.
   struct Aim {
     Eigen::Vector3d target = Eigen::Vector3d::Constant(not_available);  // In world axes [m]
     double distance = not_available;                                    // [m]

@@ -1,5 +1,5 @@
-// Table of the figures of a run: names, units and meanings. Keys of files, columns, printed tables,
-// pages, Python attributes and the table in the docs are derived from it.
+// Table of the figures (key numbers) of a run: names, units and meanings. Keys of files, columns,
+// printed tables, pages, Python attributes and the table in the docs are derived from it.
 #pragma once
 
 #include <concepts>
@@ -32,7 +32,7 @@ inline constexpr FigureUnit none{""}, newton{"N", "N"}, metre{"m", "mm", 1e3},
 struct FigureEntry {
   const char* name;
   FigureUnit unit;
-  /// Meaning; "{mean}" after "force" stands for the moving mean of the force.
+  /// Meaning; "force{mean}" stands for the force or, with averaging, for its moving mean.
   const char* meaning;
   /// Label on the page; "": only in files
   const char* label = "";

@@ -10,7 +10,7 @@
 namespace burnish {
 
 /// Returns the mean of `width` samples around each sample of x, or of fewer samples at the ends of
-/// x. The time is proportional to the length of x, for any width.
+/// x. The computing time is proportional to the length of x, for any width.
 inline Eigen::VectorXd moving_mean(const Eigen::VectorXd& x, int width) {
   const Eigen::Index n = x.size(), w = std::max(1, width), before = w / 2;
   // Sums from each sample to both ends of its block of w samples. A window covers at most two

@@ -102,11 +102,11 @@ struct PageFault {
   std::string text;  ///< Description in one sentence
 };
 
-/// Constraint row along a planned motion, with one entry per row of the page; NaN: row absent.
+/// Scalar constraint along a planned motion: an entry per row of the page; NaN: no constraint.
 struct PageLimit {
   std::string name;
-  Eigen::VectorXd margin;      ///< Distance to the nearest limit, divided by the row's scale [-]
-  Eigen::VectorXd multiplier;  ///< Multiplier: cost per scale of the row
+  Eigen::VectorXd margin;      ///< Distance to the nearest limit, divided by the scale [-]
+  Eigen::VectorXd multiplier;  ///< Multiplier: cost per scale of the constraint
 };
 
 /// Content of the page of a planned motion that was not run. Columns are those of trajectory.csv.

@@ -11,8 +11,8 @@ namespace burnish {
 /// Returns the names of the joints that move the link, joint or frame `name`. A mimic joint counts
 /// as its leader. Empty if `name` does not exist.
 ///
-/// Finger joints are added to `held` instead, because a gripper may move under load. If only
-/// fingers move `name`, the function returns the fingers.
+/// Finger joints are not returned but added to `held`, because a gripper may move under load. If
+/// only finger joints move `name`, the function returns them.
 std::vector<std::string> arm_joints(const TreeSpec& tree, const std::string& name,
                                     std::vector<std::string>& held);
 

@@ -25,9 +25,9 @@ struct Node {
   const JointSpec* joint = nullptr;
   int parent = -1;            ///< Node that carries this joint, -1 if none
   int depth = 1;              ///< Number of moving joints from the root to this joint, inclusive
-  int height = 1;             ///< Largest number of moving joints from it to a tip, inclusive
+  int height = 1;             ///< Largest number of moving joints from this one to a tip, inclusive
   double carried_length = 0;  ///< Path length from the root to the joint's link [m]
-  double reach = 0;           ///< Largest path length from the root to a link that it carries [m]
+  double reach = 0;           ///< Largest path length from the root to a carried link [m]
   double mass = 0;            ///< Mass between this joint and the next moving joints [kg]
   std::vector<int> children = {};
 };

@@ -159,8 +159,8 @@ ModelOptions options_of(const RobotSettings& settings, const RobotOverrides& ove
 }
 
 /// Adds postures of the description to the settings, except those that the settings replace.
-/// Removes frames that the settings replace from the description. If the settings have no default
-/// posture, it becomes `home` or `qpos0` of the description.
+/// Removes from the description the frames that the settings replace. If the settings have no
+/// default posture, `home` or `qpos0` of the description becomes the default posture.
 void take_over(TreeSpec& tree, RobotSettings& settings) {
   const auto is_stated = [&](const FrameSpec& frame) {
     return std::any_of(settings.frames.begin(), settings.frames.end(),

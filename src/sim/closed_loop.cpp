@@ -136,7 +136,7 @@ class Row {
   double* at_;
 };
 
-/// Throws Error if the touch has no sensor for a component that the controller reads.
+/// Throws Error if the touch (tool or foot) lacks a sensor for a component the controller reads.
 void check_sensor(const TouchSensor& wanted, const TouchSpec& touch) {
   const bool wants_moment = wanted.sensor == WrenchSensor::Wrench;
   const bool wants_force = wants_moment || wanted.sensor == WrenchSensor::Force;
@@ -150,8 +150,8 @@ void check_sensor(const TouchSensor& wanted, const TouchSpec& touch) {
                 ", or a controller that does not need it (MpcSpec.touches)");
 }
 
-/// Returns the frames of the columns of Measurement::wrenches. Throws Error for a touch that the
-/// scene does not have or does not measure.
+/// Returns the frames of the columns of Measurement::wrenches. Throws Error if the controller reads
+/// a touch (tool or foot) that the scene does not have or does not measure.
 std::vector<std::string> measured_touches(const Controller& controller, const SceneSpec& scene) {
   std::vector<std::string> all;
   for (const TouchSpec& touch : scene.touches) all.push_back(touch.frame);
@@ -360,8 +360,8 @@ void ClosedLoop::Impl::hang() {
     implicit_factor = least_squares(Matrix6::Identity() + stepped, Matrix6::Identity());
 }
 
-/// Adds the hoist's joint torques, times `fraction`, to `total`. They are computed at the state of
-/// `body`.
+/// Adds `fraction` times the hoist's torques on the joints to `total`. The torques are those at the
+/// state of `body`.
 void ClosedLoop::Impl::add_hoist(double fraction) noexcept {
   const double mass = body.mass();
   const HoistGains gains(mass);
@@ -415,7 +415,7 @@ void ClosedLoop::Impl::add_plan_signals(const Add& add) {
   add({{"clipped_torques", "-"}}, [](L l) { return l.command.clipped_torques; });
 }
 
-/// Adds the signals of a tool. Columns of the first tool begin with "tool", or state no tool. All
+/// Adds the signals of a tool. Columns of the first tool begin with "tool" or name no tool. All
 /// columns of further tools begin with "tool_<frame>".
 template <class Add>
 void ClosedLoop::Impl::add_tool_signals(std::size_t tool, bool is_of_step, const Add& add) const {

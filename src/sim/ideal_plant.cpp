@@ -380,7 +380,7 @@ Status IdealPlant::respond_freely() {
 }
 
 /// Computes work_.response of a robot with loops: da/dtau without the surface contact, times
-/// work_.normal. It includes the impulses in the loops.
+/// work_.normal. The response includes impulses in loops.
 Status IdealPlant::respond_with_loops() {
   set_touching(false);
   Status status = dynamics_.forward(q_, v_, work_.tau);

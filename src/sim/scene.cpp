@@ -48,7 +48,7 @@ void check_surface(const Model& model, const TouchSpec& touch, const std::string
                 " m, the smallest concave radius");
 }
 
-/// Returns what a support cannot stand on; empty if the surface is a plane in the world.
+/// Returns why no support can stand on the surface, such as "moves"; empty if supports can.
 std::string unfit_for_supports(const SurfaceSpec& surface) {
   if (!surface.frame.empty()) return "is carried by frame " + in_quotes(surface.frame);
   if (!surface.motion.is_at_rest()) return "moves";

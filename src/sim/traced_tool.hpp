@@ -54,21 +54,21 @@ struct TracedTool {
     return surface_world.linear() * normal_at(surface, p_tool - moved * surface.normal);
   }
 
-  Eigen::Index touch;        ///< Index in the scene.
+  Eigen::Index touch;        ///< Index in SceneSpec::touches.
   Eigen::Index column = -1;  ///< Column of Measurement::wrenches; -1: none.
   SurfaceSpec surface;
   int frame = -1;
   int carrier = -1;  ///< Frame that carries the surface; -1: the world.
-  /// Rotation at the start, in the axes of the surface.
+  /// Rotation of the tool at the start, in the axes of the surface.
   Eigen::Matrix3d start_R = Eigen::Matrix3d::Identity();
   /// Placement of the frame that carries the surface.
   Eigen::Isometry3d surface_world = Eigen::Isometry3d::Identity();
   Eigen::Vector3d p_world = Eigen::Vector3d::Zero();
   Eigen::Matrix3d R_world = Eigen::Matrix3d::Identity();
-  /// Reading at the last tick [N]; NaN if the controller does not read it.
+  /// Force reading at the last tick [N]; NaN if the controller does not read the force.
   Eigen::Vector3d measured_force_world =
       Eigen::Vector3d::Constant(std::numeric_limits<double>::quiet_NaN());
-  /// Rotation vector since the start, in the axes of the surface [rad].
+  /// Rotation vector of the tool since the start, in the axes of the surface [rad].
   Eigen::Vector3d turned = Eigen::Vector3d::Zero();
 };
 

@@ -21,7 +21,7 @@ std::map<std::string, Posture> read_srdf(const std::filesystem::path& file, cons
 std::map<std::string, Posture> parse_srdf(const std::string& xml, const TreeSpec& tree,
                                           Findings& findings);
 
-/// Returns the SRDF file of a URDF file: for robot/urdf/arm.urdf, robot/urdf/arm.srdf or
+/// Returns the SRDF file of a URDF file. For robot/urdf/arm.urdf, this is robot/urdf/arm.srdf or
 /// robot/srdf/arm.srdf. Returns an empty path if neither exists.
 std::filesystem::path srdf_of(const std::filesystem::path& urdf);
 

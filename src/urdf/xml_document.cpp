@@ -58,7 +58,7 @@ class FewAttributes : public tinyxml2::XMLVisitor {
 const XMLElement& parse_xml(tinyxml2::XMLDocument& document, const std::string& xml,
                             const std::string& source, const std::string& format,
                             const std::string& wanted) {
-  constexpr int megabytes = 16;  // text of this size that holds only short elements takes 1 GB
+  constexpr int megabytes = 16;  // a text of this size with short elements takes 1 GB of memory
   check_size(xml, source, megabytes);
   parse_text(document, xml, source, format);
   const XMLElement* outermost = document.RootElement();

@@ -61,8 +61,8 @@ struct UnitWatchOptions {
   double silent_after = 3e-3;
   /// Time of agreement with the feet after which a faulty IMU is used again [s], > 0
   double back_after = 0.5;
-  /// Decay time of the jump in the estimate when the IMU is no longer used after a fault [s], > 0
-  /// @more The jump is the difference between the last estimate and the estimate from the feet.
+  /// Decay time of the offset that prevents a jump of the estimate when the IMU fails [s], > 0
+  /// @more The offset is the last estimate minus the estimate from the feet.
   double decay_time = 0.03;
 };
 

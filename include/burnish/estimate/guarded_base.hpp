@@ -21,8 +21,8 @@ enum class BaseSource {
 /// The monitor works while the standing feet overdetermine the pose of the IMU. This needs two
 /// planar feet (soles) or three point feet (balls). While these feet do not move relative to each
 /// other, their kinematics give the rotation and displacement of the IMU. The IMU is declared
-/// faulty if its readings differ from this motion by more than UnitWatchOptions allow. Exception:
-/// gyroscope and accelerometer agree that the robot tips over.
+/// faulty if its readings differ from this motion by more than UnitWatchOptions allow. No fault is
+/// declared if gyroscope and accelerometer agree that the robot tips over.
 ///
 /// After a fault, the feet alone determine the base. This needs one sole, or three balls that are
 /// not on a line. The estimate assumes that each foot stands where it stood shortly before the

@@ -26,7 +26,7 @@ struct TouchSensor {
   /// Frame of the touch
   std::string frame = {};
   /// Components that the controller reads
-  /// @more Automatic: the force on the tool of the controller, force and moment on other touches
+  /// @more Automatic: only the force on the controller's tool; force and moment on other touches
   WrenchSensor sensor = WrenchSensor::Automatic;
 };
 
@@ -44,8 +44,8 @@ struct Measurement {
   std::optional<ImuReading> imu = {};
   /// Joint torques measured between motor and link, nv entries [Nm (N)]
   Eigen::VectorXd tau;
-  /// Measured wrenches by surfaces on the robot, one column per entry of Controller.touches: force
-  /// (N), then moment (Nm)
+  /// Measured wrenches that surfaces exert on the robot, one column per entry of
+  /// Controller.touches: force (N), then moment (Nm)
   /// @more Each entry names the frame of a tool or foot. Moments are about the origin of this
   /// frame. Force and moment are in the axes of this frame and exclude the weight of the tool or
   /// foot. Components that no sensor measures are NaN

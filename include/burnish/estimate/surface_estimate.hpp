@@ -44,8 +44,8 @@ struct SurfaceEstimateOptions {
 /// States are the errors h, s and K of the initial surface's height, slope and curvature, and the
 /// compliance c. The measurement equation is
 ///   phi = h + s . t + t . K t / 2 - c f,
-/// where phi is the distance from the initial surface to the tip's centre minus `tip_radius`. t is
-/// the tip's displacement along the tangents and f the force along the normal. If the surface may
+/// where phi is the distance of the tip from the initial surface, negative inside the material. t
+/// is the tip's displacement along the tangents and f the force along the normal. If the surface may
 /// move, h changes at the rate r. While the tip travels, state and covariance are predicted over
 /// the travelled distance. Slope and curvature at the tip are extrapolated to the surface ahead of
 /// the tip.

@@ -62,8 +62,8 @@ class Controller {
   virtual int nv() const = 0;
   /// Returns the touches (tool or feet) whose wrenches the controller reads, in the order of the
   /// columns of Measurement::wrenches. If the result has no value, there is a column for each touch
-  /// of the plant's scene. A ClosedLoop refuses a controller that reads a component without a
-  /// sensor in the scene. WrenchSensor::Automatic stands for the components with a sensor.
+  /// of the plant's scene. ClosedLoop throws Error if the controller reads a component of a wrench
+  /// that the scene does not measure. WrenchSensor::Automatic stands for the measured components.
   virtual std::optional<std::vector<TouchSensor>> touches() const { return std::nullopt; }
   /// Forgets all previous ticks.
   virtual void reset() noexcept = 0;

@@ -1,6 +1,6 @@
 // Stability margins of an arm's controller, computed before a run from the closed loop linearized
-// at rest: the largest extra delay of commands, and for each joint the range of a factor on the
-// joint's torque, at which the loop is stable.
+// at rest. One margin is the largest extra delay of commands at which the loop is stable. The other
+// margins are the stable ranges of a factor on the torque of each joint.
 #pragma once
 
 #include <memory>

@@ -139,7 +139,7 @@ struct MpcSpec {
   std::vector<std::string> resting_supports = {};
   /// Sensors of the tool, feet and hands, one per column of Measurement.wrenches
   /// @more A NaN in a component with a sensor makes the measurement invalid. A tool without an
-  /// entry has a force sensor, and the first column. If the tool's entry states the sensor `none`,
+  /// entry has a force sensor in the first column. If the tool's entry states the sensor `none`,
   /// the force on the tool is estimated from the change of the torque error at contact. This
   /// estimate requires that model_error.kind is `torque`. With a sensor at each support, torque
   /// errors are estimated in all joints, including the joints of supporting legs. A support whose

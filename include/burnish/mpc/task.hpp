@@ -1,6 +1,5 @@
 // Interface between an MpcController and its task. The optimal control problem defines stages; the
-// task adds phases in time, events that end phases, monitored quantities, and recorded targets. The
-// layer mpc contains no task.
+// task adds phases in time, events that end phases, monitored quantities, and recorded targets.
 #pragma once
 
 #include <functional>
@@ -83,7 +82,7 @@ class Schedule {
  private:
   std::vector<SchedulePhase> phases_;
   std::vector<std::string> events_;
-  std::vector<unsigned> until_;  ///< Per phase, the bit of the event that ends it; 0: no event
+  std::vector<unsigned> until_;  ///< Bit of the event that ends each phase; 0: no event
   std::vector<double> starts_;
   double time_ = 0.0;
   bool waits_ = false;

@@ -38,7 +38,7 @@ struct MetricsSpec {
 struct SolverFigures {
   /// Number of plans
   int updates = 0;
-  /// Computing time of a plan [s]: median, 99th percentile and maximum
+  /// Duration of the computation of a plan [s]: median, 99th percentile and maximum
   double median = 0.0, p99 = 0.0, maximum = 0.0;
   /// Mean number of solver iterations per plan
   double mean_iterations = 0.0;
@@ -66,12 +66,12 @@ struct Metrics {
 
   double force_mean = 0.0;  ///< Mean normal force [N]
 
-  // Errors of the averaged force, relative to the target force.
+  // Errors of the averaged force: differences from the target force.
   double force_mae = 0.0;   ///< Mean absolute error of the averaged force [N]
   double force_rmse = 0.0;  ///< Root mean square error of the averaged force [N]
   double force_peak = 0.0;  ///< Largest absolute error of the averaged force [N]
 
-  // Errors of the force without averaging, relative to the target force.
+  // Errors of the force without averaging: differences from the target force.
 
   /// Root mean square error of the force without averaging [N]
   double force_rmse_raw = 0.0;
@@ -79,7 +79,7 @@ struct Metrics {
   double force_peak_raw = 0.0;
   /// Root mean square error of the controller's estimate of the normal force [N]
   double estimate_rmse = 0.0;
-  /// Fraction of the time without contact
+  /// Fraction of the time window without contact
   double without_contact = 0.0;
   /// Largest normal force in the 50 ms after the first contact of the run [N]
   std::optional<double> impact_peak;
@@ -110,7 +110,7 @@ struct Metrics {
   double torque_margin = 1.0;
   /// Joint with the smallest unused fraction of its effort limit; empty if there are no limits
   std::string tightest_torque;
-  double limited_torque = 0.0;  ///< Fraction of the time with a joint at its effort limit
+  double limited_torque = 0.0;  ///< Fraction of the window with a joint at its effort limit
 
   /// Solver statistics; no value if the trace has no solve times
   std::optional<SolverFigures> solver;

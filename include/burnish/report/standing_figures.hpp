@@ -39,7 +39,7 @@ struct StandingFigures {
 /// Throws Error
 /// - if a column is missing,
 /// - if the trace has no rows, or no valid state in its first row,
-/// - if `supports` is empty or does not fit the model.
+/// - if `supports` is empty or has a frame that the model lacks.
 StandingFigures measure_standing(const Trace& trace, const Model& model,
                                  const std::vector<TouchSpec>& supports);
 

@@ -102,13 +102,13 @@ struct Disturbances {
   /// @more Each joint's torque is multiplied by 1 + r, where r is random and |r| <=
   /// torque_scale_range
   double torque_scale_range = 0.0;
-  /// Torque scale of each joint, nv entries (none, or empty: random scales)
+  /// Torque scale of each joint, nv entries (`none` or empty: random scales)
   /// @word none
   Eigen::VectorXd torque_scale = {};
   /// Largest random torque bias of a joint [Nm], >= 0
   /// @more A random constant b with |b| <= torque_bias_range is added to each joint's torque
   double torque_bias_range = 0.0;
-  /// Torque bias of each joint, nv entries (none, or empty: random biases) [Nm]
+  /// Torque bias of each joint, nv entries (`none` or empty: random biases) [Nm]
   /// @word none
   Eigen::VectorXd torque_bias = {};
   /// Standard deviation of the torque noise [Nm], >= 0
@@ -157,17 +157,17 @@ struct Disturbances {
   bool finite_difference_velocity = false;
   /// Cut-off of the low-pass filter on finite-difference velocities (0: no filter) [rad/s], >= 0
   double velocity_cutoff = 0.0;
-  /// Standard deviation of the noise of sensors that measure only the force, per axis [N], >= 0
-  /// @more Unless a scene states other sensors, these are the sensors of tools. The axes are those
-  /// of the touch's frame
+  /// Standard deviation of force noise in sensors that measure only the force, per axis [N], >= 0
+  /// @more Tools have such sensors, unless the scene states other sensors. The axes are those of
+  /// the frame at the sensor
   double force_noise = 0.0;
   /// Cut-off of the low-pass filter on measured forces and moments (0: no filter) [rad/s], >= 0
   /// @more Noise is added before the filter
   double force_cutoff = 0.0;
-  /// Standard deviation of the force noise of sensors of force and moment, per axis [N], >= 0
+  /// Standard deviation of force noise in sensors of force and moment, per axis [N], >= 0
   /// @more The noise passes the low-pass filter with the cut-off force_cutoff
   double support_force_noise = 0.0;
-  /// Standard deviation of the moment noise of sensors of force and moment, per axis [Nm], >= 0
+  /// Standard deviation of moment noise in sensors of force and moment, per axis [Nm], >= 0
   /// @more The noise passes the low-pass filter with the cut-off force_cutoff
   double support_moment_noise = 0.0;
 
@@ -195,8 +195,8 @@ struct Disturbances {
   double accelerometer_step = 0.0;
   /// Faults of the inertial measurement unit; in files: [{start: s, duration: s, gyro_offset: [x,
   /// y, z] in rad/s, accelerometer_offset: [x, y, z] in m/s^2, frozen: true, silent: true}, ...].
-  /// Offsets are in the unit's axes. Keys left out are off. A fault without a duration lasts
-  /// forever
+  /// Offsets are in the unit's axes. A key that is left out has no effect. A fault without a
+  /// duration lasts forever
   std::vector<ImuFault> imu_faults = {};
 
   // @group Differences in the plant's model and scene, applied by plant_model() and plant_scene().
@@ -215,11 +215,11 @@ struct Disturbances {
   /// Factor on the curvature of the plant's surface, > 0
   /// @more Lengths of the surface's shape are divided by this factor
   double surface_curvature = 1.0;
-  /// Shape of the plant's surface (none: as the controller assumes) @word none
+  /// Shape of the plant's surface (`none`: as the controller assumes) @word none
   std::optional<SurfaceShape> surface_shape = {};
   /// Motion of the plant's surface along its normal
   SurfaceMotion surface_motion = {};
-  /// Coulomb friction coefficient of the plant's surface (none: as the controller assumes), >= 0
+  /// Coulomb friction coefficient of the plant's surface (`none`: as the controller assumes), >= 0
   /// @word none
   std::optional<double> surface_friction = {};
   /// Slippery ground under the robot's supports; in files: [{start: s, duration: s, frame: foot,
@@ -264,8 +264,8 @@ Payload carried_payload(const Disturbances& disturbances);
 /// check_disturbances()), and if the robot does not have the payload's frame.
 Model plant_model(const Model& nominal, const Disturbances& disturbances);
 
-/// Returns the surface that a tool touches in the plant: `nominal` with the disturbances of
-/// surfaces. Throws Error for a normal that is zero or not finite.
+/// Returns the surface that a tool touches in the plant: `nominal`, changed by the disturbances
+/// whose names begin with surface_. Throws Error for a normal that is zero or not finite.
 SurfaceSpec plant_surface(const SurfaceSpec& nominal, const Disturbances& disturbances);
 
 /// Returns the plant's scene: `nominal` (the scene that the controller assumes) with slippery

@@ -1,5 +1,5 @@
-// Plant with burnish's own contact dynamics, a rigid surface and exact torques. Without model
-// errors, a run shows the controller's own error. The plant needs no other program.
+// Plant with burnish's own contact dynamics, a rigid surface and exact torques. If the controller's
+// model equals the plant's model, the error of a run is the controller's own error.
 //
 // The acceleration a obeys M a + b = tau + J^T lambda, with mass matrix M, bias torques b and joint
 // torques tau. lambda is the contact force along the surface's normal, and J its Jacobian. The
@@ -45,8 +45,8 @@ struct IdealPlantOptions {
 /// Creates a plant with burnish's own contact dynamics. Joint limits do not stop the joints. If the
 /// tip is on the surface at reset(), or inside it by a rounding error, the plant starts in contact.
 ///
-/// The scene may have one tool or no touch. Throws Error if checked_scene() rejects the scene, if
-/// the scene has a support or more than one touch, and if an option is out of range. Also throws
+/// The scene has either one tool or nothing to touch. Throws Error if checked_scene() rejects the
+/// scene, if the scene has a support or more than one touch, and if an option is out of range. Also throws
 /// Error for a surface that moves, is curved or is carried by the robot.
 std::unique_ptr<Plant> make_ideal_plant(const Model& model, const SceneSpec& scene,
                                         const IdealPlantOptions& options = {});

@@ -46,9 +46,9 @@ class Plant {
   virtual const Eigen::VectorXd& v() const = 0;  ///< Velocity, nv entries
 
   /// Returns the wrenches on the touches of the scene during the last step, 6 x touches. Each
-  /// column is the force [N] and the moment [Nm] by the surface on the robot, about the origin of
-  /// the touch's frame and in the axes of this frame at the start of the step. Zero without
-  /// contact.
+  /// column is the force [N] and the moment [Nm] that the surface exerts on the robot. Moments are
+  /// about the origin of the touch's frame. Axes are those of this frame at the start of the step.
+  /// Without contact, the column is zero.
   virtual const Wrenches& wrenches() const = 0;
   /// Returns the sum of friction, spring and tendon torques in the joints during the last step, nv
   /// entries [Nm or N]. Friction torques oppose the motion. Spring and tendon torques are computed

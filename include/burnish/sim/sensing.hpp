@@ -58,7 +58,6 @@ class Sensing {
   Eigen::VectorXd differences_;  ///< Filtered finite-difference velocities, nv entries
   Eigen::VectorXd work_;         ///< Scratch vector, nv entries
   std::optional<ImuSensor> imu_;
-  /// Sensor of a wrench.
   struct TouchSensor {
     Eigen::Index touch;  ///< Index of the touch in the scene.
     WrenchSensor components;

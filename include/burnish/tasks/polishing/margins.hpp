@@ -11,7 +11,7 @@
 
 namespace burnish::polishing {
 
-/// Stability margins that the gains from fit_gains() must have, in a control loop that already
+/// Stability margins that a control loop must have with the gains from fit_gains(). The loop already
 /// contains the usual delays and filters.
 /// @described polishing
 struct RequiredMargins {

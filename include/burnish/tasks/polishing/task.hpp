@@ -58,7 +58,7 @@ struct Waving {
 /// Plans keep the hand in place and bring its normal force to `force`. The force is measured by a
 /// sensor in the hand, as for the feet.
 struct RestingHand {
-  /// Frame of the resting hand; its origin is the centre of the round tip (none: no hand rests)
+  /// Frame of the resting hand; its origin is the centre of the round tip (`none`: no hand rests)
   /// @word none
   std::string frame = {};
   double force = 20.0;  ///< Normal force that the hand rests with [N], > 0
@@ -117,7 +117,7 @@ struct Weights {
 struct Verdict {
   /// Smallest allowed time in contact, as a fraction of the whole time, 0 to 1
   double contact_share = 0.99;
-  /// Allowed rms force error, as a fraction of the task's force (never: no limit), > 0 or infinite
+  /// Allowed rms force error, as a fraction of the task's force (`never`: no limit), > 0 or infinite
   /// @more The force is averaged over 10 ms. The word `never` stands for infinite. For a resting
   /// hand, the allowed error is this fraction of rest.force.
   double force_rmse = 0.1;
@@ -132,7 +132,7 @@ struct Verdict {
 /// defaults.
 /// @described polishing
 struct Task {
-  /// Name, folder or settings file of the robot, optionally with :variant
+  /// Name, folder or settings file of the robot, optionally followed by `:variant`
   std::string robot = "talos:right_arm";
   /// Starting posture: a name from the robot's settings, or `search` (find one for the surface)
   /// @more The starting posture is also the posture target in the null space. The search is made by
@@ -192,7 +192,7 @@ struct Task {
   /// the surface along the normal at `point`.
   /// @after damping
   SurfaceShape shape = {};
-  /// Width of the surface beyond the path on all four sides (endless: no edges) [m], >= 0 or
+  /// Width of the surface beyond the path on all four sides (`endless`: no edges) [m], >= 0 or
   /// infinite
   /// @more The surface is a square about the path's origin. Its half side is the largest distance
   /// of the path from its origin, plus `extent`. The word `endless` stands for infinite; the
@@ -244,8 +244,8 @@ struct Task {
   int knots = 0;
   double update_rate = 1000.0;  ///< Rate of new plans, tick_rate divided by an integer [Hz], > 0
   double tick_rate = 2000.0;    ///< Rate of torque commands [Hz], > 0
-  /// When a new plan is used: fixed (after solver_delay), measured (after its computing time) or
-  /// thread
+  /// Rule for when a new plan is used: `fixed` (after solver_delay), `measured` (after its
+  /// computing time) or `thread`
   /// @more With `measured`, a simulation delays the plan by its computing time. With `thread`,
   /// a separate thread computes plans, and a plan is used as soon as it is ready.
   PlanTiming timing = PlanTiming::Fixed;
@@ -269,7 +269,7 @@ struct Task {
   /// Cutoff of the torque lag in plans (0: no lag) [rad/s], >= 0
   /// @more The key disturbances.torque_cutoff sets the lag of the plant.
   double torque_cutoff = 0.0;
-  /// Axes of contact and force: surface, local (fixed to the tool) or world
+  /// Axes of contact and force: `surface`, `local` (fixed to the tool) or `world`
   ForceAxes axes = ForceAxes::Surface;
   /// Apply the plan's Riccati feedback between plans; false: apply only the plan's torques
   /// @after solver

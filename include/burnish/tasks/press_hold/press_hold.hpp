@@ -22,7 +22,7 @@ namespace burnish::press_hold {
 /// task file, with their defaults.
 /// @described press_hold
 struct Task {
-  /// Name, folder or settings file of the robot, optionally with :variant
+  /// Name, folder or settings file of the robot, optionally followed by `:variant`
   std::string robot = "arm7";
   /// Starting posture: a name from the robot's settings, or `search` (find one for the surface)
   /// @more If empty, the robot's default posture is used; if there is none, a posture is searched.
@@ -50,7 +50,7 @@ struct Task {
   /// @more The normal points out of the material. It need not have unit length.
   /// @key normal
   Eigen::Vector3d normal_world = Eigen::Vector3d::UnitZ();
-  /// Distance from the pressed point to the surface's four edges (endless: no edges) [m], > 0 or
+  /// Distance from the pressed point to the surface's four edges (`endless`: no edges) [m], > 0 or
   /// infinite
   /// @more The word `endless` stands for infinite; the surface is then a whole plane.
   /// @word endless

@@ -17,7 +17,7 @@ namespace burnish {
 /// Home posture, in which a run begins. The robot moves from home to the start of its task.
 /// @described pressing
 struct HomeSpec {
-  /// Named posture in which the run begins (none: the starting posture of the task)
+  /// Named posture in which the run begins (`none`: the starting posture of the task)
   /// @word none
   std::string posture = {};
   /// Joint positions that differ from the named posture, in rad (m): {joint: position, ...}

@@ -44,7 +44,7 @@ struct ImpedanceGains {
 struct ImpedanceSpec {
   PressingPath path = {};     ///< Approach, force and path of the tool
   ImpedanceGains gains = {};  ///< Gains on position, force and posture
-  /// Friction coefficient of the surface for a feedforward force along the path's velocity, >= 0
+  /// Friction coefficient that the feedforward of friction along the path assumes, >= 0
   double friction = 0.0;
 };
 

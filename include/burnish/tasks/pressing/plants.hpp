@@ -56,7 +56,7 @@ struct TaskRun {
   Status plant_status = Status::Ok;
   FaultReport fault;         ///< Fault that the MPC detected; FaultKind::None if there was none
   bool interrupted = false;  ///< True if the progress callback stopped the run
-  /// Computing times of all ticks except the first one, which solves to convergence
+  /// Statistics of the wall-clock times of ticks, without the first tick
   TickTimes ticks;
   double first_tick = 0.0;  ///< Wall-clock time of the first tick [s]
   double wall_time = 0.0;   ///< Wall-clock time of the simulation [s]

@@ -35,8 +35,8 @@ struct CirclePath {
 };
 
 /// Task of a controller that makes no plans, in three phases: approach the surface until contact,
-/// ramp up the force, then follow the path. In the enumeration Phase, they are called Approach,
-/// Ramp and Track.
+/// ramp up the force, then follow the path. These phases are Approach, Ramp and Track in the
+/// enumeration Phase.
 /// @described sim
 struct PressingPath {
   std::string tool = "tool";  ///< Frame of the tool; its origin follows the path

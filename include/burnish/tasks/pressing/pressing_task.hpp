@@ -51,7 +51,7 @@ struct ToolLimits {
   /// Longest time without force in phases with contact [s], > 0 or infinite
   double contact_lost = 0.15;
   /// Largest travel along the normal after the planned time of contact [m], > 0 or infinite
-  /// @more The limit is the largest distance of the surface behind its assumed position. The travel
+  /// @more A surface farther than this behind its assumed position is not reached. The travel
   /// counts from the time when the schedule's clock stops and waits for contact. The clock stops
   /// SchedulePhase.hold seconds before the planned contact.
   double late_contact_travel = 0.03;

@@ -65,7 +65,7 @@ struct ReachReport {
   double torque_share = 0.0;   ///< Largest static torque, as a fraction of the joint's effort limit
   /// Joint with the largest static torque, as a fraction of its effort limit
   std::string tightest_torque;
-  /// Error of the estimated force per error of the joint torques, as standard deviations [1/m]
+  /// Standard deviation of the estimated force per standard deviation of joint torques [1/m]
   /// @more The force along the normal is estimated from joint torques with independent errors. The
   /// value, in N per Nm, is the largest of all points on the surface. It matters for tasks without
   /// a force sensor.

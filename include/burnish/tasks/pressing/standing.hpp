@@ -16,8 +16,8 @@ namespace burnish {
 /// a foot but not pull it, and has friction.
 /// @described pressing
 struct Standing {
-  /// Frames of the feet (auto: found in the robot's description; empty: the base is fixed)
-  /// @more With auto, the sizes of the feet also come from the description.
+  /// Frames of the feet (`auto`: found in the robot's description; empty: the base is fixed)
+  /// @more With `auto`, the sizes of the feet also come from the description.
   /// @word auto
   std::vector<std::string> feet = {};
   /// Half the length of a planar foot along x of its frame (0: point feet) [m], >= 0
@@ -50,7 +50,7 @@ struct Standing {
   /// Weight on the rotation of the base from its target [1/rad^2], >= 0
   /// @more The target is the orientation at the start, unless the task moves the target.
   double base = 100.0;
-  /// Weight on momentum about the centre of mass {per (kg m/s)^2 and (kg m^2/s)^2}, >= 0
+  /// Weight on centroidal momentum, linear and angular {per (kg m/s)^2 and (kg m^2/s)^2}, >= 0
   double momentum = 1e-2;
   /// Weight on tangential forces and yaw moments of each foot [1/N^2], >= 0
   /// @more This weight discourages internal forces between the feet.

@@ -104,7 +104,7 @@ std::string name_of(Limit limit);
 /// their defaults.
 /// @described push_wall
 struct Task {
-  /// Name, folder or settings file of the robot, optionally with :variant
+  /// Name, folder or settings file of the robot, optionally followed by `:variant`
   std::string robot = "talos";
   /// Starting posture, a name from the robot's settings
   /// @more If empty, the robot's default posture is used.

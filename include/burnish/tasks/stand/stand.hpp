@@ -53,7 +53,7 @@ struct Weights {
 /// with their defaults.
 /// @described stand
 struct Task {
-  /// Name, folder or settings file of the robot, optionally with :variant
+  /// Name, folder or settings file of the robot, optionally followed by `:variant`
   std::string robot = "quadruped";
   /// Starting posture: a name from the robot's settings, or `search` (find one with bent legs)
   /// @more If empty, the robot's default posture is used; if there is none, a posture is searched.
