@@ -11,7 +11,7 @@ namespace {
 void check_function(int size, bool has_function) {
   if (size < 1)
     throw Error("a signal over time has " + std::to_string(size) + " entries; wanted at least 1");
-  if (!has_function) throw Error("a signal over time has no function; wanted one");
+  if (!has_function) throw Error("a signal over time has no function; wanted a function of time");
 }
 
 }  // namespace

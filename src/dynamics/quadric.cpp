@@ -11,7 +11,7 @@ namespace {
 
 Eigen::Vector3d unit(const Eigen::Vector3d& given, const std::string& what) {
   if (!given.allFinite() || !(given.norm() > 1e-9))
-    throw Error(what + " is not finite or has no length; wanted a direction");
+    throw Error(what + " is not finite or has length 0; wanted a direction");
   return given.normalized();
 }
 

@@ -61,7 +61,7 @@ Penalty read_penalty(const ocp::ResidualRows& rows, const Reader& reader) {
   reader.allow_only({"quadratic", "barrier", "smooth_absolute", "log_barrier"});
   const auto items = reader.items();
   if (items.size() != 1)
-    reader.refuse("the map has " + std::to_string(items.size()) + " penalties; wanted one");
+    reader.refuse("the map has " + std::to_string(items.size()) + " penalties; wanted one penalty");
   const auto& [name, value] = items.front();
   penalty.kind = parse_penalty(name);
   if (penalty.kind == Penalty::Kind::Quadratic)

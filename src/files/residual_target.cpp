@@ -98,11 +98,12 @@ struct TargetReader {
     if (!is_hold(given())) return read({groups()});
     if (r.reference)
       given().refuse(
-          "'hold' is a force in the contact's own reference, but this residual states another "
-          "reference; wanted no key 'reference'");
+          "'hold' stands for a force in the contact's own reference, but this residual has the key "
+          "'reference'; wanted a residual without this key, or a target in numbers");
     const HeldForces forces = holding().forces;
     const auto found = forces.find(r.contact);
-    if (found == forces.end()) given().refuse("the contact is not active in this stage");
+    if (found == forces.end())
+      given().refuse("'hold' has no force, because the contact is not active in this stage");
     return found->second;
   }
   Signal operator()(const residual::CenterOfMass& /*of*/) const {

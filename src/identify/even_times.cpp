@@ -76,8 +76,8 @@ Unevenness unevenness(const Eigen::VectorXd& time, const Eigen::VectorXd& steps)
 
 void check_gaps(const Unevenness& uneven, Eigen::Index samples) {
   if (uneven.gap > std::max(max_gap, min_bridged_periods * uneven.period))
-    throw Error("the record has no samples for " + ms_text(uneven.gap) + " from " +
-                number(uneven.gap_at) + " s on; wanted gaps of at most " +
+    throw Error("the record has a gap of " + ms_text(uneven.gap) + " that begins at " +
+                number(uneven.gap_at) + " s; wanted gaps of at most " +
                 ms_text(std::max(max_gap, 3.0 * uneven.period)) +
                 ", or a part of the record without this gap");
   const double fraction =

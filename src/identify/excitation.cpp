@@ -57,7 +57,7 @@ void check(const Model& model, const Eigen::VectorXd& q_start, const ExcitationS
   for (const Joint& joint : model.joints)
     if (joint_nv(joint.kind) > 1)
       throw Error("excitation: joint " + in_quotes(joint.name) + " is " +
-                  std::string(name_of(joint.kind)) + "; wanted joints of one coordinate");
+                  std::string(name_of(joint.kind)) + "; wanted joints with one coordinate");
 }
 
 /// Torque with the largest fraction of its limit.
@@ -126,9 +126,9 @@ Room room_of(const Model& model, const Eigen::VectorXd& q_start, const Excitatio
                                model.q_upper[joint.q_index] - q - spec.margin});
       if (displacement < 0.02)
         throw Error("excitation: joint " + in_quotes(joint.name) + " starts at " + number(q) +
-                    ", which is closer than the margin of " + number(spec.margin) +
-                    " to a limit; wanted a start posture farther from the limit, a smaller margin "
-                    "or other joints");
+                    ", closer to a position limit than the margin of " + number(spec.margin) +
+                    "; wanted a start posture farther from the limit, a smaller margin or other "
+                    "joints");
     }
     room.displacement[k] = displacement;
     room.speed[k] = std::min(spec.speed_share * model.velocity_limit[k], spec.speed);
@@ -177,15 +177,15 @@ Excitation::Excitation(const Model& model, const Eigen::VectorXd& q_start, const
                 "; wanted a smaller range, or other joints");
   if (!std::isfinite(best_information))
     throw Error(
-        "excitation: no motion was found that stays within the effort limits: at full size, " +
-        effort_text(heaviest, spec.effort_share) + ", and the effort is still too large at " +
-        number(std::round(100.0 * heaviest.size)) +
-        " % of the full size; wanted another start (--posture), fewer joints (--joints) or "
+        "excitation: no motion was found that stays within the effort limits, not even at " +
+        number(std::round(100.0 * heaviest.size)) + " % of the full size: at full size, " +
+        effort_text(heaviest, spec.effort_share) +
+        "; wanted another start (--posture), fewer joints (--joints) or "
         "a larger effort_share (--effort-share)");
   amplitudes_ = best;
   if (amplitudes_.size < 1.0)
     warnings_.push_back("the motion is reduced to " + number(std::round(100.0 * amplitudes_.size)) +
-                        " % of the size that range and speeds allow: at full size " +
+                        " % of the size that the range and the speed limits allow: at full size, " +
                         effort_text(amplitudes_, spec.effort_share));
 }
 
@@ -270,7 +270,7 @@ void Excitation::at(double time, Eigen::VectorXd& q, Eigen::VectorXd& v, Eigen::
 Trace Excitation::trace(double period) const {
   if (!(period > 0.0) || duration_ / period > 1e7)
     throw Error("excitation: period is " + number(period) +
-                " s; wanted more than 0, and long enough for a trace of at most 1e7 rows");
+                " s; wanted more than 0, and at most 1e7 periods in the excitation");
   // One position per entry of v, because check() allows only joints with one coordinate.
   Eigen::VectorXd start(model_.nv);
   std::vector<TraceColumn> columns{{"time", "s"}};

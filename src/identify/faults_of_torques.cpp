@@ -157,7 +157,7 @@ void FaultSearch::try_lags() {
     consider((joint < 0 ? "all torques are " : in_quotes(tau_column(model_, joint)) + " is ") +
                  number(std::abs(best)) + " s " +
                  (best > 0.0 ? "behind the positions" : "ahead of the positions") +
-                 "; wanted columns of the same instants",
+                 "; wanted torques and positions of the same instants",
              squares);
   }
 }

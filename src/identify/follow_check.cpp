@@ -90,10 +90,10 @@ std::vector<std::string> check_followed(const Model& known, const Excitation& mo
     if (joint.falls && is_first) first = k;
     const double extent = joint.high - joint.low;
     if (!joint.falls && joint.farthest > std::max(extent, follows_within))
-      warnings.push_back(leaving_text(known, k, joint) + ", although its planned range is only " +
+      warnings.push_back(leaving_text(known, k, joint) + ", more than its planned range of " +
                          distance_text(known, k, extent) +
-                         ": the simulated controller has no model of the payload, which is heavy "
-                         "for that joint");
+                         ": the payload is heavy for this joint, and the simulated controller has "
+                         "no model of the payload");
   }
   if (first >= 0)
     throw Error("the simulated arm cannot follow the motion: " +

@@ -88,8 +88,8 @@ void warn_of(Identification& result) {
   constexpr double max_delay = 0.02;  // Delay of usual sensors and buses; chosen by hand [s]
   if (std::abs(result.delay.value) > max_delay)
     result.warnings.push_back("the torques are " + number(1e3 * result.delay.value) +
-                              " ms behind the positions, which is not corrected; do the columns "
-                              "belong to the same instants?");
+                              " ms behind the positions, and this delay is not corrected; were "
+                              "torques and positions measured at the same instants?");
   if (!result.converged)
     result.warnings.emplace_back(
         "the estimate did not converge: the motion hardly distinguishes the "
@@ -133,11 +133,11 @@ void judge(Identification& result, const identify_detail::Misfit& misfit,
   if (fault && !fault->is_mild)
     throw Error("identify: the torques do not fit the motion: " + left + guess + joined(oddities));
   if (!(misfit.unexplained < max_unexplained))
-    throw Error("identify: the torques do not fit the motion: " + left + guess + joined(oddities) +
-                (fault
-                     ? ""
-                     : "; wanted positions in rad (m) and torques in Nm (N) of this robot and one "
-                       "payload without contacts"));
+    throw Error(
+        "identify: the torques do not fit the motion: " + left + guess + joined(oddities) +
+        (fault ? ""
+               : "; wanted positions in rad (m) and torques in Nm (N), recorded on this robot "
+                 "with one payload and without contacts"));
   const char* enlarged =
       result.coulomb.empty() ? ", so the standard deviations of the estimates are enlarged" : "";
   result.warnings.push_back(left + enlarged + guess + joined(oddities));
@@ -182,7 +182,8 @@ void check_finite(const identify_detail::Fit& fit) {
     return;
   throw Error(
       "identify: the motion does not determine the parameters: their standard deviations are not "
-      "finite; wanted more motion (burnish identify --excite writes one), or fewer bodies");
+      "finite; wanted a motion that excites the masses more, such as one that burnish identify "
+      "--excite writes, or fewer bodies");
 }
 
 /// Runs identify() for a robot without continuous joints.
@@ -227,7 +228,7 @@ Identification identify_by_angles(const Model& model, const MotionRecord& record
     if (misfit.is_suspicious_at(k))
       throw Error("identify: " + in_quotes(tau_column(model, k)) + " is " +
                   number(checked.record.tau(0, k)) + " throughout, but the motion requires " +
-                  number(fit.rms_after[k]) + " Nm (N) rms; is that sensor connected?");
+                  number(fit.rms_after[k]) + " Nm (N) rms; is the torque sensor connected?");
   std::optional<Fault> fault;
   if (misfit.is_suspicious)
     fault = FaultSearch(model, checked.record, windows, unknowns, spec).best(fit.x, expected);

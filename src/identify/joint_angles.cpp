@@ -88,8 +88,8 @@ MotionRecord with_angles(const Model& model, const MotionRecord& record, Eigen::
   if (angles.nq == model.nq) return result;
   if (!has_pairs && record.q.cols() != angles.nq)
     throw Error("identify: q has " + std::to_string(record.q.cols()) + " columns; wanted " +
-                std::to_string(angles.nq) + ", with the angle of each continuous joint, or " +
-                std::to_string(model.nq) + ", with its cosine and sine");
+                std::to_string(angles.nq) + ", with one angle for each continuous joint, or " +
+                std::to_string(model.nq) + ", with a cosine and a sine for each");
   if (has_pairs) result.q.resize(record.q.rows(), angles.nq);
   each_joint(model, angles, [&](const Joint& joint, int to) {
     if (has_pairs && !is_circle(joint))

@@ -92,9 +92,9 @@ void mend(CheckedRecord& checked, Eigen::VectorXd& signal, const std::vector<Out
     bridge(signal, one);
   }
   const auto samples = static_cast<double>(signal.size());
-  const std::string what = in_quotes(column) + " is off by up to " + number(largest->size) + " " +
-                           unit + " for " + std::to_string(count) +
-                           (count == 1 ? " sample, at " : " samples, the worst at ") +
+  const std::string what = in_quotes(column) + " has outliers of up to " + number(largest->size) +
+                           " " + unit + " in " + std::to_string(count) +
+                           (count == 1 ? " sample, at " : " samples, the largest at ") +
                            time_text(checked.record, largest->at);
   if (static_cast<double>(count) > std::max<double>(min_outliers, outlier_fraction * samples))
     throw Error("identify: " + what + "; wanted outliers in at most " +
@@ -128,10 +128,10 @@ void check_positions(const Model& model, CheckedRecord& checked) {
     if (joint.kind == JointKind::Revolute)
       if (const int wraps = unwrap(signal, steps, first); wraps > 0) {
         centre(signal, model.q_lower[k], model.q_upper[k]);
-        checked.warnings.push_back(in_quotes(column) + " wraps by 2 pi " + std::to_string(wraps) +
-                                   (wraps == 1 ? " time, at " : " times, first at ") +
-                                   time_text(checked.record, first) +
-                                   "; it is treated as one continuous angle");
+        checked.warnings.push_back(in_quotes(column) + " wraps by 2 pi rad at " +
+                                   std::to_string(wraps) +
+                                   (wraps == 1 ? " sample, at " : " samples, first at ") +
+                                   time_text(checked.record, first) + "; the angle is unwrapped");
       }
     mend(checked, signal, outliers_of(steps, signal.size()), column, unit_of_q(joint));
     if (!steps.sudden.empty())
@@ -158,7 +158,8 @@ void check_torques(const Model& model, CheckedRecord& checked) {
     throw Error("identify: no torque ever changes, although joints move: " + in_quotes(still[0]) +
                 " is " + number(tau(0, 0)) + " throughout; wanted measured torques");
   for (const std::string& column : still)
-    checked.oddities.push_back(in_quotes(column) + " never changes: is that sensor connected?");
+    checked.oddities.push_back(in_quotes(column) +
+                               " never changes: is the torque sensor connected?");
 }
 
 /// Throws Error for a frozen reading: a joint that stops abruptly for a long time within a motion.
@@ -177,7 +178,7 @@ void check_frozen(const Model& model, CheckedRecord& checked) {
     if (n < 2 * before) continue;
     if (signal.maxCoeff() - signal.minCoeff() == 0.0) {
       checked.oddities.push_back(in_quotes(q_column(model, k)) +
-                                 " never changes: is that encoder stuck?");
+                                 " never changes: is the encoder stuck?");
       continue;
     }
     const Run run = longest_run(signal);

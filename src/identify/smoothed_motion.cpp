@@ -19,8 +19,8 @@ void check(const Model& model, const MotionRecord& record, const IdentificationS
     if (joint_nv(joint.kind) > 1)
       throw Error(
           "identify: joint " + in_quotes(joint.name) + " is " + std::string(name_of(joint.kind)) +
-          ", and no encoder measures its motion; wanted a robot on a fixed base with joints of "
-          "one coordinate");
+          ", and no encoder measures its motion; wanted a robot on a fixed base with joints "
+          "with one coordinate");
   if (record.q.cols() != model.nq || record.tau.cols() != model.nv ||
       record.q.rows() != record.tau.rows())
     throw Error("identify: q is " + std::to_string(record.q.rows()) + " x " +
@@ -54,11 +54,12 @@ Windows::Windows(const Model& model, const MotionRecord& record, const Identific
   samples = record.q.rows();
   const double lasts = period * static_cast<double>(samples);
   if (!(0.5 * spec.window >= min_half * period))
-    throw Error(
-        "identify: the window of " + number(spec.window) +
-        " s contains fewer than 7 samples, which are " + number(period) +
-        " s apart; wanted a longer window, or a record with a shorter period" +
-        (period >= implausible_period ? ": are its times in milliseconds? wanted seconds" : ""));
+    throw Error("identify: the window of " + number(spec.window) +
+                " s contains fewer than 7 samples, which are " + number(period) +
+                " s apart; wanted a longer window, or a record with a shorter period" +
+                (period >= implausible_period
+                     ? "; are its times in milliseconds instead of seconds?"
+                     : ""));
   if (!(10.0 * spec.window <= lasts))
     throw Error("identify: the record lasts " + number(lasts) +
                 " s; wanted at least ten windows of " + number(spec.window) + " s");

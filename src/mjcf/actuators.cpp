@@ -22,7 +22,7 @@ double bound(const Item& item, const char* limited, const char* range, Reading& 
   if (!item.choice(limited).value_or(has_range && reading.compiler_of(item.xml()).autolimits))
     return infinity;
   if (!has_range)
-    refuse_at(item.xml(), std::string("it is limited but has no ") + range + "; wanted one");
+    refuse_at(item.xml(), std::string("it is limited but has no ") + range + "; wanted this range");
   is_even = is_even && (*stated)[0] == -(*stated)[1];
   return std::max(std::abs((*stated)[0]), std::abs((*stated)[1]));
 }

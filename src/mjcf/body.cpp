@@ -174,7 +174,7 @@ void read_range(const Item& item, JointSpec& joint, Reading& reading) {
     reading.warning_notes.note("ranges of ball joints are ignored", example_of(item.xml()));
     return;
   }
-  if (!has_range) refuse_at(item.xml(), "it is limited but has no range; wanted one");
+  if (!has_range) refuse_at(item.xml(), "it is limited but has no range; wanted a range");
   const bool turns = joint.type == JointType::Revolute;
   joint.lower = turns ? reading.compiler_of(item.xml()).angle((*stated)[0]) : (*stated)[0];
   joint.upper = turns ? reading.compiler_of(item.xml()).angle((*stated)[1]) : (*stated)[1];
@@ -368,8 +368,10 @@ void read_body(const Child& child, const std::string& parent, bool moves, int de
                Reading& reading) {
   const XMLElement& xml = *child.xml;
   if (depth > max_depth || reading.tree.links.size() > max_links)
-    refuse_at(xml, "more than " + std::to_string(depth > max_depth ? max_depth : int{max_links}) +
-                       (depth > max_depth ? " nested bodies" : " links") + ", the maximum number");
+    refuse_at(xml,
+              (depth > max_depth ? "bodies are nested more than " : "the model has more than ") +
+                  std::to_string(depth > max_depth ? max_depth : int{max_links}) +
+                  (depth > max_depth ? " deep, the maximum" : " links, the maximum number"));
   LinkSpec link;
   const char* stated = xml.Attribute("name");
   link.name = stated == nullptr || *stated == '\0' ? reading.links.unique("body") : stated;

@@ -23,7 +23,8 @@ JointSpec& joint_of(const std::string& name, const XMLElement& asking, Reading& 
 JointSpec& single_joint(const std::string& name, const XMLElement& asking, Reading& reading) {
   JointSpec& joint = joint_of(name, asking, reading);
   if (posture_size(joint.type) > 1)
-    refuse_at(asking, "joint " + in_quotes(name) + " is not a hinge or slide; wanted one of these");
+    refuse_at(asking, "joint " + in_quotes(name) +
+                          " is neither a hinge nor a slide; wanted a hinge or a slide");
   return joint;
 }
 
@@ -44,7 +45,7 @@ void read_spring(const Item& item, double at_rest, TendonSpec& tendon, Reading& 
   if (stated.size() < 2 || stated[1] == stated[0]) return;
   tendon.stiffness = 0.0;
   reading.warning_notes.note(
-      "springs of tendons with a slack range between two lengths are ignored",
+      "springs of tendons with two different rest lengths (springlength) are ignored",
       example_of(item.xml()));
 }
 
@@ -185,7 +186,7 @@ void couple_to_held(JointSpec& second, JointSpec& first, const MimicSpec& coupli
     const double value = first.held.front();
     return hold(second, coupling.multiplier * value + coupling.offset, item, reading);
   }
-  reading.warning_notes.note("equalities of joints that are already held are ignored",
+  reading.warning_notes.note("equalities of joints that another equality holds already are ignored",
                              example_of(item.xml()));
 }
 
@@ -201,8 +202,8 @@ void couple(const Item& item, Reading& reading) {
     return reading.warning_notes.note("nonlinear couplings of joints are ignored", example_of(xml));
   if (!stated || a[1] == 0.0) {
     if (second.type != JointType::Fixed) return hold(second, y0 + a[0], item, reading);
-    return reading.warning_notes.note("equalities of joints that are already held are ignored",
-                                      example_of(xml));
+    return reading.warning_notes.note(
+        "equalities of joints that another equality holds already are ignored", example_of(xml));
   }
   const std::string& leader = *stated;
   JointSpec& first = single_joint(leader, xml, reading);
@@ -305,7 +306,8 @@ void close_loop(const Item& item, bool is_weld, Reading& reading) {
     loop.first_link = link_of(item, "body1", reading);
     loop.second_link = link_of(item, "body2", reading);
     const auto anchor = item.numbers("anchor", 3);
-    if (!is_weld && !anchor) refuse_at(item.xml(), "it has no anchor; wanted a point of body1");
+    if (!is_weld && !anchor)
+      refuse_at(item.xml(), "it has no anchor; wanted an anchor, a point of body1");
     // Pose of the second body in the first body's frame at qpos0.
     const Isometry3d drawn = reading.link_at_start.at(loop.first_link).inverse() *
                              reading.link_at_start.at(loop.second_link);

@@ -369,7 +369,7 @@ Elements attach_world(const XMLElement& root, const Renaming& renaming, NamesByK
 
 Elements attach(const XMLElement& at, Reading& reading) {
   const char *prefix = at.Attribute("prefix"), *model = at.Attribute("model");
-  if (prefix == nullptr) refuse_at(at, "it has no 'prefix'; wanted one");
+  if (prefix == nullptr) refuse_at(at, "it has no 'prefix'; the attribute is needed");
   const Renaming renaming{prefix, "", model != nullptr};
   const XMLElement& root =
       model == nullptr ? reading.source.model_of(at) : asset_model(model, at, reading);

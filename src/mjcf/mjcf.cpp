@@ -221,7 +221,7 @@ TreeSpec read_model(const std::string& xml, const std::string& name,
   tree.sibling_order = SiblingOrder::AsListed;
   const Sections& sections = reading.part_of(reading.source.root()).sections;
   if (!sections.contains("worldbody"))
-    refuse(name, "it has no <worldbody>; wanted one with the bodies of a robot");
+    refuse(name, "it has no <worldbody>; wanted a <worldbody> with the bodies of a robot");
   read_sections(sections, reading);
   add_visuals(reading);
   scale_masses(reading);

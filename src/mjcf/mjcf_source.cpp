@@ -66,8 +66,9 @@ const XMLElement& Source::opened(const XMLElement& naming, bool is_model) {
   if (known != opened_.end()) return *known->second;
   const std::string file = needed_attribute(naming, "file", place_of(naming));
   if (!folder_) {
-    refuse_at(naming, "it names the file " + in_quotes(file) +
-                          ", but a model from a text cannot include files; wanted a model file");
+    refuse_at(naming,
+              "it names the file " + in_quotes(file) +
+                  ", but a model given as a text cannot include files; wanted the model as a file");
   }
   const File& from = file_of(naming);
   // As in MuJoCo, a path is relative to the model's main file. If no such file exists, the path is

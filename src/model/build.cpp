@@ -247,8 +247,8 @@ void add_frames(const TreeSpec& tree, const std::vector<FrameSpec>& frames, Mode
     if (!model.has_frame(added.parent)) {
       std::vector<std::string> existing;
       for (const Frame& frame : model.frames) existing.push_back(frame.name);
-      refuse(tree, "the parent frame of the added frame " + in_quotes(added.name) + ", " +
-                       in_quotes(added.parent) + ", does not exist" +
+      refuse(tree, "the added frame " + in_quotes(added.name) + " has the parent frame " +
+                       in_quotes(added.parent) + ", which does not exist" +
                        did_you_mean(added.parent, existing));
     }
     check_isometry(origin_of(tree), "the placement of the added frame " + in_quotes(added.name),

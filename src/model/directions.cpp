@@ -31,7 +31,7 @@ Directions parse_word(std::string_view word) {
     existing.emplace_back(named.name);
   }
   throw Error("directions: unknown word '" + std::string(word) +
-              "'; wanted x, y, z, rx, ry, rz, all, linear, angular or pad_x|y|z" +
+              "'; wanted x, y, z, rx, ry, rz, all, linear, angular, pad_x, pad_y or pad_z" +
               did_you_mean(word, existing));
 }
 

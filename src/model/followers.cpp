@@ -73,13 +73,13 @@ void take_over_limits(const std::vector<const JointSpec*>& spec_of_joint, const 
     const double lower = std::max(model.q_lower[q], range.lower);
     const double upper = std::min(model.q_upper[q], range.upper);
     if (lower > upper) {
-      refuse(origin, "joint " + in_quotes(joint.name) + " follows joint " + in_quotes(leader.name) +
-                         ", and no position is within the limits of both: the follower is at " +
-                         number(joint.follows->multiplier) + " times " + in_quotes(leader.name) +
-                         " plus " + number(joint.follows->offset) + " and has limits " +
-                         number(spec.lower) + " to " + number(spec.upper) + ", but " +
-                         in_quotes(leader.name) + " has limits " + number(model.q_lower[q]) +
-                         " to " + number(model.q_upper[q]));
+      refuse(origin,
+             "joint " + in_quotes(joint.name) + " follows joint " + in_quotes(leader.name) +
+                 ", but no posture is within the limits of both joints: the follower is at " +
+                 number(joint.follows->multiplier) + " times " + in_quotes(leader.name) + " plus " +
+                 number(joint.follows->offset) + " and has limits " + number(spec.lower) + " to " +
+                 number(spec.upper) + ", and " + in_quotes(leader.name) + " has limits " +
+                 number(model.q_lower[q]) + " to " + number(model.q_upper[q]));
     }
     model.q_lower[q] = lower;
     model.q_upper[q] = upper;
@@ -108,11 +108,12 @@ void take_over_springs(const std::vector<const JointSpec*>& spec_of_joint,
     if (leader.kind == JointKind::Continuous) {
       const double rest_difference = std::remainder(rest - leader_rest, 2.0 * std::numbers::pi);
       if (std::abs(multiplier) != 1.0 || (stiffness > 0.0 && std::abs(rest_difference) > 1e-9)) {
-        refuse(origin, "joint " + in_quotes(joint.name) + " has a spring and follows joint " +
-                           in_quotes(leader.name) + ", which is continuous; wanted a revolute " +
-                           in_quotes(leader.name) +
-                           ", or a multiplier of 1 or -1 and the rest angle of the spring of " +
-                           in_quotes(leader.name));
+        refuse(origin,
+               "joint " + in_quotes(joint.name) + " has a spring and follows joint " +
+                   in_quotes(leader.name) + ", which is continuous; wanted a revolute joint " +
+                   in_quotes(leader.name) +
+                   ", or a multiplier of 1 or -1 and both springs at rest at one angle of " +
+                   in_quotes(leader.name));
       }
     }
     leader_rest =

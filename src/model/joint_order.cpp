@@ -138,7 +138,7 @@ void JointOrder::require_all_joints() const {
       missing.push_back(joint.name);
   if (missing.empty()) return;
   refuse("the order leaves out " + listed("joint", missing) + ", which " +
-         (missing.size() == 1 ? "moves" : "move") + "; wanted all moving joints, or " +
+         (missing.size() == 1 ? "moves" : "move") + "; wanted all moving joints in the order, or " +
          (missing.size() == 1 ? "this joint locked" : "these joints locked"));
 }
 
@@ -174,7 +174,7 @@ VectorXd JointOrder::q_from(const Eigen::Ref<const VectorXd>& positions, double 
     if (!normalise(kind, x))
       refuse("joint " + in_quotes(place.stated.name) + ": its " +
              (unit_entries(kind) == 4 ? "quaternion" : "(cos, sin)") +
-             " does not have length 1; wanted 1 to within 0.001");
+             " does not have length 1; wanted a length of 1, to within 0.001");
     const Joint* joint = moving(place);
     if (joint != nullptr && !joint->follows) q.segment(joint->q_index, joint->nq) = x;
     entries.push_back(std::move(x));

@@ -57,7 +57,8 @@ void choose_locked(Locking& locking) {
     }
     if (locking.locked.contains(name)) {
       refuse(locking.tree,
-             "joint " + in_quotes(name) + " is listed as locked and as free; wanted only one");
+             "joint " + in_quotes(name) +
+                 " is listed both as locked and as free; wanted the joint in only one list");
     }
     free.insert(name);
   }

@@ -73,10 +73,10 @@ void add_loops(const TreeSpec& tree, Model& model) {
       if (miss.closes()) continue;
       refuse(tree, label_of(spec) + ": links " + in_quotes(spec.first_link) + " and " +
                        in_quotes(spec.second_link) +
-                       " are one body, because all joints between them are locked, and the loop "
+                       " are one body, because all joints between them are locked, but the loop "
                        "is open by " +
                        miss.text() +
-                       "; wanted a posture that closes the loop, or one of the joints free");
+                       "; wanted a posture that closes the loop, or one of these joints free");
     }
     first.name = spec.name + "/first";
     second.name = spec.name + "/second";

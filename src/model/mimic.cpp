@@ -85,9 +85,10 @@ Course Courses::through_leader(const JointSpec& joint) {
       std::abs(stated->second[0] - value) > posture_tolerance) {
     refuse(tree_, "joint " + in_quotes(joint.name) + " is at " + number(stated->second[0]) +
                       " in the posture, but follows joint " + in_quotes(leader.name) +
-                      ", which is locked at " + number(above.offset) + " and implies " +
-                      number(value) + "; correct one of the two values, or lock " +
-                      in_quotes(joint.name) + " too, at its own value");
+                      ", which is locked at " + number(above.offset) +
+                      ", so the follower must be at " + number(value) +
+                      "; correct one of the two values, or lock " + in_quotes(joint.name) +
+                      " too, at its own value");
   }
   return {nullptr, 0.0, value};
 }
@@ -109,10 +110,11 @@ void Courses::check_multiplier(const JointSpec& joint, const JointSpec& leader,
   const double multiplier = joint.mimic->multiplier;
   const bool on_circle = turns_endlessly(*above.leader);
   if (on_circle && slides(joint) && multiplier * above.multiplier != 0.0) {
-    refuse(tree_, "joint " + in_quotes(joint.name) + " slides by the angle of joint " +
-                      in_quotes(above.leader->name) +
-                      ", which is continuous; wanted a revolute leader, because an angle on the "
-                      "circle does not determine a displacement");
+    refuse(tree_,
+           "joint " + in_quotes(joint.name) + " is prismatic, but follows the continuous joint " +
+               in_quotes(above.leader->name) +
+               "; wanted a revolute leader, because the angle of a continuous joint does not "
+               "count its turns");
   }
   if (!(on_circle || turns_endlessly(joint) || turns_endlessly(leader)) || is_whole(multiplier))
     return;
@@ -123,7 +125,8 @@ void Courses::check_multiplier(const JointSpec& joint, const JointSpec& leader,
                     " with the multiplier " + number(multiplier) + ", but joint " +
                     in_quotes(endless.name) +
                     " is continuous; wanted a revolute joint, or a whole multiplier of at most a "
-                    "million, because other multiples of an angle on the circle are not unique");
+                    "million, because other multiples of the angle of a "
+                    "continuous joint are not unique");
 }
 
 }  // namespace burnish

@@ -91,8 +91,9 @@ void agree_with_leader(const Model& model, const Joint& joint, double stated,
   refuse(label_of(model), "posture of joint " + in_quotes(joint.name) + ": its value is " +
                               number(stated) + ", but it follows joint " + in_quotes(leader.name) +
                               ", which is at " + number(joint_value(model, leader, q)) +
-                              (has_value ? "" : " (not stated in the posture)") + " and implies " +
-                              number(given) + "; correct or omit one of the two values");
+                              (has_value ? "" : " (not stated in the posture)") +
+                              ", so the follower must be at " + number(given) +
+                              "; correct or omit one of the two values");
 }
 
 }  // namespace

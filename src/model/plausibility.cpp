@@ -30,7 +30,7 @@ double largest_limit(const JointSpec& joint) {
 }
 
 std::string limits_text(const JointSpec& joint) {
-  return "limits of position " + number(joint.lower) + " and " + number(joint.upper) + " rad";
+  return "position limits " + number(joint.lower) + " and " + number(joint.upper) + " rad";
 }
 
 /// Joints with an odd value among the examined joints.
@@ -76,7 +76,7 @@ void check_angles(const TreeSpec& tree, Findings& findings) {
   });
   if (degrees.are_majority())
     findings.warn(degrees.text() + " has " + limits_text(*degrees.odd.front()) +
-                  "; less than two turns was expected. Are they in degrees?");
+                  "; limits below two turns were expected. Are the limits in degrees?");
   // Equal limits stand for a joint whose range nobody measured.
   constexpr double narrow = 0.12;  // 2 pi rad, read as degrees, are 0.11 rad [rad]
   const Suspects small = suspects(tree, [](const JointSpec& joint) -> std::optional<bool> {
@@ -322,9 +322,9 @@ void check_slides(const MovingLinks& robot, Findings& findings) {
       continue;
     const double travel = largest_limit(*joint);
     if (travel <= max_travel * robot.reach || is_power_of_ten(travel)) continue;
-    findings.warn(label_of(*joint) + " has limits of position " + number(joint->lower) + " and " +
+    findings.warn(label_of(*joint) + " has position limits " + number(joint->lower) + " and " +
                   number(joint->upper) + " m, but the robot reaches " + number(robot.reach) +
-                  " m. Are they in mm?");
+                  " m. Are the limits in mm?");
   }
 }
 

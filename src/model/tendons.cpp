@@ -111,15 +111,16 @@ TreeSpec with_held_tendons(const TreeSpec& tree, const ModelOptions& options) {
                        " alone; wanted two joints, or this joint locked");
     }
     if (parts.size() > 2) {
-      refuse(tree, label_of(tendon) + " has a constant length and acts on " + held.listed_parts() +
-                       "; wanted at most two moving joints, because one length can couple two "
-                       "joints only; lock the others");
+      refuse(tree,
+             label_of(tendon) + " has a constant length and acts on " + held.listed_parts() +
+                 "; wanted at most two moving joints, because one length can couple only two; "
+                 "lock the others");
     }
     if (!held.can_follow(parts[1].joint, parts[0].joint)) std::swap(parts[0], parts[1]);
     if (!held.can_follow(parts[1].joint, parts[0].joint)) {
       refuse(tree, label_of(tendon) + " has a constant length and acts on " + held.listed_parts() +
-                       ", but neither joint can follow the other; wanted one of them without a "
-                       "leader of its own, and both locked or both free");
+                       ", but neither joint can follow the other; wanted at least one joint "
+                       "that follows no joint, and both joints locked or both free");
     }
     // c_0 q_0 + c_1 q_1 = rest
     changed.at(parts[1].joint)->mimic =

@@ -63,7 +63,7 @@ void check_touches(const MpcSpec& spec) {
                   did_you_mean(touch.frame, frames));
     if (std::find(seen.begin(), seen.end(), touch.frame) != seen.end())
       throw Error("MPC: touches has two entries for frame " + in_quotes(touch.frame) +
-                  "; wanted one");
+                  "; wanted one entry");
     seen.push_back(touch.frame);
   }
 }
@@ -96,7 +96,7 @@ void check_supports(const MpcSpec& spec) {
         throw Error("MPC: the sensor at " + in_quotes(touch.frame) +
                     " measures no moment, but "
                     "support " +
-                    in_quotes(support) + " holds its rotation; wanted " + wanted_sensor(contact) +
+                    in_quotes(support) + " also holds rotations; wanted " + wanted_sensor(contact) +
                     ", or sensor none");
     for (const Stage& stage : problem.stages)
       if (!is_measured &&
@@ -153,15 +153,14 @@ int checked_ticks_per_update(const MpcSpec& spec) {
   if (spec.problem.torque_model && spec.problem.torque_model->is_held())
     throw Error(
         "MPC: the torque model 'held' does not work with MPC, because it keeps torques constant "
-        "over each step of a plan, and the controller changes them at every tick; wanted a torque "
-        "model with a cut-off, or no torque model");
+        "over each step of a plan, but the controller changes torques at every tick; wanted a "
+        "torque model with a cut-off, or no torque model");
   if (!spec.problem.force_states.empty())
     throw Error(
-        "MPC: force_states do not work with MPC, because they are the forces of the previous step "
-        "of a plan, but a plan starts at each tick, and ticks are shorter than steps; wanted no "
-        "force_states");
+        "MPC: force_states do not work with MPC, because they are the forces of the previous step, "
+        "but plans start at ticks, which are shorter than steps; wanted no force_states");
   if (!spec.normal_base.allFinite() || !(spec.normal_base.norm() > 0.0))
-    throw Error("MPC: the normal is not finite or has no length; wanted a direction");
+    throw Error("MPC: the normal is not finite or has length 0; wanted a direction");
   if (!(spec.settle >= 0.0) || !std::isfinite(spec.settle))
     throw Error("MPC: settle is " + number(spec.settle) + " s; wanted at least 0");
   if (!(spec.slowdown > 0.0) || !std::isfinite(spec.slowdown))
@@ -195,9 +194,10 @@ int checked_ticks_per_update(const MpcSpec& spec) {
   check_resting(spec);
   if (!spec.tool.empty() && wrench_column(spec, spec.tool) < 0 &&
       spec.model_error.kind != ModelErrorKind::Torque)
-    throw Error("MPC: without a force sensor at " + in_quotes(spec.tool) +
-                ", its force is estimated from torques, and this requires an estimate of the "
-                "torque error; wanted model_error.kind torque, or a sensor (touches)");
+    throw Error("MPC: tool " + in_quotes(spec.tool) +
+                " has no force sensor, so its force is estimated from torques, which requires an "
+                "estimate of the torque error; wanted model_error.kind torque, or a force sensor "
+                "at the tool (touches)");
   check_ranges(description_of(&spec.fallback), &spec.fallback,
                [](const std::string& entry) { return "MPC: the fallback's " + entry; });
   check_limits(spec.limits, spec.tick_period);

@@ -108,9 +108,10 @@ void add_error_inputs(MpcSpec& spec) {
   if (spec.model_error.kind == ModelErrorKind::Torque && problem.torque_bias_input.empty()) {
     const Eigen::VectorXd none = Eigen::VectorXd::Zero(problem.model.nv);
     if (!add(problem, {.name = torque_name, .kind = InputKind::Vector, .value = none}))
-      throw Error(std::string("MPC: the problem has an input '") + torque_name +
-                  "', but torque_bias_input is empty: plans would ignore torque errors; wanted '" +
-                  torque_name + "' as torque_bias_input, or another name of the input");
+      throw Error(
+          std::string("MPC: the problem has an input '") + torque_name +
+          "', but torque_bias_input is empty, so plans would ignore torque errors; wanted '" +
+          torque_name + "' as torque_bias_input, or another name for the input");
     problem.torque_bias_input = torque_name;
   }
 }

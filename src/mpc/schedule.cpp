@@ -37,8 +37,8 @@ Schedule::Schedule(std::vector<SchedulePhase> phases, std::vector<std::string> e
                   " s; wanted a positive time");
     if (std::isinf(duration) && i + 1 < phases_.size())
       throw Error("phase " + std::to_string(i) +
-                  " of a schedule never ends; wanted no phases after it, but their number is " +
-                  std::to_string(phases_.size() - i - 1));
+                  " of a schedule never ends, but the number of phases after it is " +
+                  std::to_string(phases_.size() - i - 1) + "; wanted 0");
     const std::string& until = phases_[i].until;
     const auto event = std::find(events_.begin(), events_.end(), until);
     if (!until.empty() && event == events_.end())

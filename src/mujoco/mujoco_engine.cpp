@@ -78,7 +78,7 @@ std::vector<Eigen::Vector3d> points_of(const Loop& loop) {
   if ((held.bits & Directions::linear().bits) != Directions::linear().bits || turns == 1)
     throw Error("the MuJoCo plant closes loops at points and thus holds x, y and z, but loop " +
                 in_quotes(loop.name) + " holds " + held.text() +
-                "; wanted x,y,z, alone or with two or three of rx,ry,rz");
+                "; wanted x,y,z, alone or with at least two of rx,ry,rz");
   if (turns == 0) return {Eigen::Vector3d::Zero()};
   if (turns == 3)
     return {Eigen::Vector3d::Zero(), Eigen::Vector3d(arm, 0.0, 0.0),

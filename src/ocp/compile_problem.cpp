@@ -166,7 +166,8 @@ void check_weights(const std::vector<CompiledStage>& stages) {
                                                           [](double w) { return w > 0.0; }));
     }
   if (!has_term) throw Error("the problem has no cost terms; wanted at least one");
-  if (!has_weight) throw Error("all weights of the problem are zero; wanted at least one positive");
+  if (!has_weight)
+    throw Error("all weights of the problem are zero; wanted at least one positive weight");
 }
 
 void find_largest(CompiledProblem& problem) {
@@ -208,7 +209,7 @@ CompiledProblem::CompiledProblem(const ProblemSpec& spec)
     for (const CompiledStage& other : stages)
       if (other.name == given.name)
         throw Error("stage " + in_quotes(given.name) + ": the name is used twice");
-    if (given.name.empty()) throw Error("a stage has no name; wanted one");
+    if (given.name.empty()) throw Error("a stage has no name; wanted a name");
     if (given.name == "terminal")
       throw Error(
           "stage 'terminal': the name is reserved for the end of the horizon; wanted another name");

@@ -89,7 +89,7 @@ struct ResidualCompiler : TermBuilder {
       const Joint& j = joint(name);
       if (!plain(j))
         refuse("joint " + in_quotes(name) + " is " + std::string(name_of(j.kind)) +
-               "; wanted a revolute or prismatic one");
+               "; wanted a revolute or prismatic joint");
       add(j);
     }
     if (r.joints.empty())
@@ -140,8 +140,8 @@ struct ResidualCompiler : TermBuilder {
   void operator()(const residual::JointTorqueRate& r) {
     if (!spec.torque_model)
       refuse(
-          "the torques are the control, which has no rate; wanted a torque model, 'held' or with a "
-          "cut-off, which adds one entry per driven joint to the state");
+          "the torques are the control, which has no rate; wanted a torque model ('held' or with a "
+          "cut-off), which adds one entry per driven joint to the state");
     if (stage.nu == 0) refuse("this stage has no controls, so torques have no rate");
     const bool held = layout().holds_torque;
     TorqueRate rate{held ? 1.0 / stage.step : spec.torque_model->cutoff, held, actuators(r.joints)};
@@ -369,7 +369,7 @@ struct ResidualCompiler : TermBuilder {
 
   void operator()(const residual::Custom& r) {
     if (r.rows < 1) refuse("it has " + std::to_string(r.rows) + " rows; wanted at least 1");
-    if (!r.value) refuse("it has no value function; wanted one");
+    if (!r.value) refuse("it has no value function; the function is needed");
     CustomResidual compiled{r, {}, {}};
     for (const std::string& name : r.frames) compiled.frames.push_back(frame(name));
     for (const std::string& name : r.contacts) compiled.contacts.push_back(contact(name));

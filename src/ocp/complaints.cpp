@@ -204,7 +204,7 @@ void about_bounds(const Problem& problem, std::vector<std::string>& sentences) {
     sentences.push_back("stage " + in_quotes(stage.name) +
                         ": the control bounds do not allow rest in the initial posture: " +
                         in_quotes(problem.control_names()[to_size(worst)]) + " needs " +
-                        number(rest.control[worst]) + ", its bounds are " +
+                        number(rest.control[worst]) + ", but its bounds are " +
                         number(impl.lower[to_size(worst)]) + " and " +
                         number(impl.upper[to_size(worst)]));
   }
@@ -257,7 +257,7 @@ void about_contacts(const Problem& problem, std::vector<std::string>& sentences)
     const ContactSet contacts(problem.model(), impl.contacts_of(static_cast<int>(s)));
     for (const RedundantRow& row : diagnose(problem.model(), contacts, q, active).redundant)
       sentences.push_back("stage " + in_quotes(stage.name) + ", initial posture: " + row.text() +
-                          "; wanted independent rows, or mu > 0");
+                          "; wanted independent contact directions, or contact_solver.mu > 0");
   }
 }
 
@@ -290,7 +290,8 @@ void about_surfaces(const Problem& problem, std::vector<std::string>& sentences)
         "stage " + in_quotes(stage.name) + ", initial posture: " + in_quotes(contact.tool) +
         " is about " + number(std::abs(height)) + (height > 0.0 ? " m above" : " m below") +
         " the surface of contact " + in_quotes(contact.name) +
-        ", and the contact holds it at that distance; wanted a start on the surface");
+        ", and the contact holds it at that distance; wanted an initial posture with the tool on "
+        "the surface");
   }
 }
 

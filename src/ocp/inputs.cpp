@@ -42,7 +42,7 @@ int checked_size(const InputSpec& spec) {
     case InputKind::Scalar:
       return wanted(1);
     case InputKind::Vector:
-      if (stated == 0) refuse(spec.name, "the vector has no value; wanted one, such as zeros");
+      if (stated == 0) refuse(spec.name, "the vector has no value; wanted a value, such as zeros");
       return stated;
     case InputKind::Rotation:
       return wanted(4);
@@ -50,8 +50,8 @@ int checked_size(const InputSpec& spec) {
     case InputKind::Inertia:
       if (stated != 0)
         refuse(spec.name, "the value has " + std::to_string(stated) +
-                              " entries; wanted no value, since " + text_of(spec.kind) +
-                              " gets one only from set_input()");
+                              " entries; wanted no value, because " + text_of(spec.kind) +
+                              " gets its value only from set_input()");
   }
   return 0;
 }
@@ -71,15 +71,16 @@ void check_constant(const InputSpec& spec) {
 /// Throws Error if an inertia cannot act at its frame, or if another input loads the same body.
 void check_frame(const InputSpec& given, const ProblemSpec& spec) {
   if (given.frame.empty())
-    refuse(given.name, "an inertia has no frame; wanted a frame of the robot");
+    refuse(given.name, "the inertia has no frame; wanted a frame of the robot");
   const std::string call = "input " + in_quotes(given.name);
   const int body = frame_on_body(call, spec.model, given.frame).body;
   for (const InputSpec& other : spec.inputs) {
     if (&other == &given) return;
     if (other.kind == InputKind::Inertia &&
         frame_on_body(call, spec.model, other.frame).body == body)
-      refuse(given.name, "frame " + in_quotes(given.frame) + " is on the body of input " +
-                             in_quotes(other.name) + "; wanted at most one inertia for each body");
+      refuse(given.name, "frame " + in_quotes(given.frame) + " and the frame of input " +
+                             in_quotes(other.name) +
+                             " are on one body; wanted at most one inertia for each body");
   }
 }
 
@@ -163,7 +164,7 @@ void add_uses(const Inputs& inputs, const Given& given, const CompiledTerm& term
 
 Inputs::Inputs(const ProblemSpec& spec) {
   for (const InputSpec& given : spec.inputs) {
-    if (given.name.empty()) throw Error("an input has no name; wanted one");
+    if (given.name.empty()) throw Error("an input has no name; wanted a name");
     for (const InputState& other : states_)
       if (other.spec.name == given.name)
         refuse(given.name, "the name is used twice; wanted unique names");
@@ -182,8 +183,9 @@ Inputs::Inputs(const ProblemSpec& spec) {
   const int found = index_of("torque_bias_input", spec.torque_bias_input, InputKind::Vector);
   InputState& bias = states_[to_size(found)];
   if (bias.size != spec.model.nv || !bias.spec.value.is_constant())
-    refuse(bias.spec.name, "it is the torque_bias_input; wanted a constant value of " +
-                               std::to_string(spec.model.nv) + " entries");
+    refuse(bias.spec.name,
+           "the value does not suit torque_bias_input; wanted a constant value of " +
+               std::to_string(spec.model.nv) + " entries");
   bias.is_bias = true;
 }
 
@@ -260,8 +262,10 @@ void Inputs::mark_friction(const CompiledStage& stage) {
       if (state.spec.value.is_constant()) evaluate_value(state, 0.0, &value);
       state.is_friction = true;
       if (value < 0.0)
-        refuse(state.spec.name, "its value " + number(value) +
-                                    " is used as friction or ratio of friction; wanted at least 0");
+        refuse(state.spec.name,
+               "the value is " + number(value) +
+                   ", but it is used as a friction coefficient or as a factor of a "
+                   "friction coefficient; wanted at least 0");
     }
 }
 

@@ -64,10 +64,9 @@ void check_size(std::size_t knots, const CompiledProblem& problem) {
   const auto per_knot =
       to_size(problem.largest_terms + problem.largest_targets + problem.inputs.entries());
   if (per_knot > max_entries / knots)
-    throw Error("horizon: " + std::to_string(knots) + " knots with up to " +
-                std::to_string(per_knot) +
-                " terms, inputs and target entries each; wanted at most " +
-                std::to_string(max_entries) + " terms and entries in all");
+    throw Error("horizon: each of the " + std::to_string(knots) + " knots has up to " +
+                std::to_string(per_knot) + " terms, inputs and target entries; wanted at most " +
+                std::to_string(max_entries) + " of these in all knots together");
 }
 
 }  // namespace

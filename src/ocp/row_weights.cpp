@@ -57,7 +57,8 @@ double scale_of(const Residual& residual, const CompiledTerm& term, const Compil
   if (!is_valid(derived))
     throw Error(where + ": row " + in_quotes(term.row_names[row]) +
                 " needs a scale, because the distance between its limits is 0 or infinite and the "
-                "robot has no limit for it; wanted scale, a typical size of the row in its unit");
+                "robot has no limit for it; wanted a scale: a typical magnitude of the row, in the "
+                "row's unit");
   return derived;
 }
 
@@ -71,12 +72,11 @@ void check_weights(const Constraint& constraint, const std::string& where) {
   if (l1_weight == 0.0 && quadratic_weight == 0.0)
     throw Error(where +
                 ": l1_weight and quadratic_weight are 0, so a violation costs nothing; wanted "
-                "one of them above 0");
+                "at least one of the two weights above 0");
   if (std::isinf(l1_weight) && quadratic_weight > 0.0)
     throw Error(where + ": l1_weight is infinite, so a quadratic_weight of " +
                 number(quadratic_weight) +
-                " has no effect; wanted a finite l1_weight beside it, or l1_weight 0 for the "
-                "quadratic weight alone");
+                " has no effect; wanted a finite l1_weight, such as 0, or quadratic_weight 0");
 }
 
 }  // namespace

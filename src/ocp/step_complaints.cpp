@@ -98,8 +98,8 @@ class StageSteps {
       if (!grows(mode, step_, stage_.integrator)) continue;
       sentences.push_back(
           begin("contact ") + in_quotes(contact.name) + ": its gains kp " + number(mode.stiffness) +
-          " 1/s^2 and kd " + number(mode.rate) + " 1/s make errors of the contact grow in " +
-          steps() + " (kd times step is " + number(two_digits(mode.rate * step_, true)) +
+          " 1/s^2 and kd " + number(mode.rate) + " 1/s are unstable with " + steps() +
+          " (kd times step is " + number(two_digits(mode.rate * step_, true)) +
           "); wanted smaller gains, or a step of at most " +
           number(two_digits(longest_step(mode, step_, stage_.integrator), false)) + " s");
       return;
@@ -153,8 +153,9 @@ class StageSteps {
       about_mode(k, {mobility * std::max(stiffness[k], 0.0), mobility * damping[k]}, sentences);
     }
     if (largest_loss > passive.slip)
-      sentences.push_back(begin("friction of joints: in one of the ") + steps() +
-                          ", it slows a joint by up to " + number(two_digits(largest_loss, true)) +
+      sentences.push_back(begin("joint friction: in one of the ") + steps() +
+                          ", friction slows a joint by up to " +
+                          number(two_digits(largest_loss, true)) +
                           " rad/s (m/s), more than the slip_velocity of " + number(passive.slip) +
                           ", so the joint overshoots rest; wanted a slip_velocity of at least " +
                           number(two_digits(2.0 * largest_loss, true)) + ", or a step of at most " +
@@ -167,7 +168,7 @@ class StageSteps {
     sentences.push_back(
         begin("joint entry ") + in_quotes(problem_.model().v_name(entry)) + ": its springs (" +
         number(mode.stiffness) + " 1/s^2) and damping (" + number(mode.rate) +
-        " 1/s) make its oscillation grow in " + steps() + "; wanted a step of at most " +
+        " 1/s) are unstable with " + steps() + "; wanted a step of at most " +
         number(two_digits(longest_step(mode, step_, stage_.integrator), false)) + " s");
   }
 

@@ -20,7 +20,7 @@ void TermBuilder::target(const Signal& signal, int size, const Eigen::VectorXd& 
   term.signal = signal;
   if (signal.empty()) {
     if (fallback.size() == 0)
-      refuse("it has no target; wanted " + std::to_string(size) + " entries");
+      refuse("the target is missing; wanted " + std::to_string(size) + " entries");
     term.signal = Signal(fallback);
   }
   if (term.signal.size() == 1 && size > 1 && term.signal.is_constant()) {

@@ -271,7 +271,8 @@ std::string page_html(std::string_view page_template, std::string_view data) {
   if (at == std::string_view::npos || page_template.find(place, at + 1) != std::string_view::npos)
     throw Error("the page template has " +
                 std::string(at == std::string_view::npos ? "no place" : "several places") +
-                " for its data; wanted one script element burnish-data that holds null");
+                " for its data; wanted one <script> element with the id burnish-data and the "
+                "content null");
   std::string html;
   html.reserve(page_template.size() + data.size());
   html += page_template.substr(0, at + before.size());

@@ -70,7 +70,7 @@ void check_replaceable(const fs::path& folder) {
   if (!mark)
     throw Error(
         fmt::format("'{}' holds a run of an older version, without a list of its files, so --force "
-                    "cannot replace it; remove it, or choose another folder",
+                    "cannot replace the folder; remove the folder, or choose another one",
                     folder.string()));
   for (const auto& entry : fs::directory_iterator(folder)) {
     const std::string name = entry.path().filename().string();
@@ -239,8 +239,8 @@ void RunFolder::lock() {
   lock_ = -1;
   made_ = false;
   throw Error(
-      fmt::format("another run writes into '{}'; wanted another folder, or the end of that "
-                  "run",
+      fmt::format("another run writes into '{}'; choose another folder, or wait for that run "
+                  "to end",
                   path_.string()));
 }
 

@@ -59,9 +59,9 @@ int base_frame(const Model& model, const RigidBody& body) {
 
 StandingFigures measure_standing(const Trace& trace, const Model& model,
                                  const std::vector<TouchSpec>& supports) {
-  if (trace.rows() == 0) throw Error("the trace has no rows; wanted a run");
+  if (trace.rows() == 0) throw Error("the trace has no rows; wanted the trace of a run");
   if (supports.empty())
-    throw Error("there are no supports; wanted at least one, on which the robot stands");
+    throw Error("there are no supports; wanted at least one support of the robot");
   const Trace::Column time = trace.column("time");
   StateRows states(trace, model);
   const RigidBody& body = states.body();

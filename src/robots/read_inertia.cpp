@@ -17,7 +17,7 @@ InertiaSpec read_inertia(const document::Reader& reader, const std::vector<std::
       result.inertia_at_com << I[0], I[1], I[2], I[1], I[3], I[4], I[2], I[4], I[5];
     } else {
       inertia->refuse("it has " + std::to_string(I.size()) +
-                      " numbers; wanted six (xx, xy, xz, yy, yz and zz) or three (along the axes)");
+                      " numbers; wanted six (xx, xy, xz, yy, yz and zz) or three (xx, yy and zz)");
     }
   }
   if (const std::string problem = inertia_problem(result); !problem.empty()) reader.refuse(problem);

@@ -78,10 +78,11 @@ JointFigures read_figures(const Reader& reader) {
   JointFigures figures;
   document::read_described(description_of(&figures), &figures, reader);
   if (figures.gear_ratio && !figures.rotor_inertia)
-    reader.refuse("key 'gear_ratio' is stated without 'rotor_inertia'; wanted both, or 'armature'");
+    reader.refuse(
+        "key 'gear_ratio' is stated without 'rotor_inertia'; wanted both keys, or only 'armature'");
   if (figures.gear_ratio == 0.0)
     reader["gear_ratio"].refuse(
-        "it is 0; wanted the turns of the rotor per turn of the joint, not 0");
+        "it is 0; wanted a number of rotor turns per joint turn other than 0");
   return figures;
 }
 
@@ -123,7 +124,8 @@ RobotSettings read_settings(const Reader& reader, const std::vector<std::string>
 
 RobotSettingsFile parse_robot_settings(const std::string& text, const std::string& name) {
   const Reader top = Reader::parse(text, name);
-  if (!top.is_map()) top.refuse("wanted keys with values, such as 'urdf: robot.urdf'");
+  if (!top.is_map())
+    top.refuse("the file has no keys; wanted keys with values, such as 'urdf: robot.urdf'");
   RobotSettingsFile result;
   result.common = read_settings(top, {"variants"});
   if (const auto variants = top.find("variants"))

@@ -144,10 +144,9 @@ void check_sensor(const TouchSensor& wanted, const TouchSpec& touch) {
   if ((wants_moment && has != WrenchSensor::Wrench) || (wants_force && has == WrenchSensor::None))
     throw Error("the controller reads the " + std::string(wants_moment ? "moment" : "force") +
                 " at " + in_quotes(touch.frame) +
-                ", which the sensor of this touch in the plant's scene does not measure; wanted "
-                "TouchSpec.sensor " +
+                ", but the plant's sensor there does not measure it; wanted TouchSpec.sensor " +
                 (wants_moment ? "wrench" : "force or wrench") +
-                ", or a controller that does not need it (MpcSpec.touches)");
+                " in the plant's scene, or another sensor in MpcSpec.touches");
 }
 
 /// Returns the frames of the columns of Measurement::wrenches. Throws Error if the controller reads
@@ -272,9 +271,9 @@ ClosedLoop& ClosedLoop::operator=(ClosedLoop&&) noexcept = default;
 void ClosedLoop::estimate_base(const Model& nominal, const BaseEstimatorOptions& estimator,
                                const FootContactOptions& feet) {
   if (const double mass = impl_->controller->payload_mass(); mass != 0.0)
-    throw Error("ClosedLoop: the controller has a payload of " + number(mass) +
-                " kg, which the estimate of the base would lack; wanted estimate_base() first, and "
-                "then set_payload() of the loop");
+    throw Error("ClosedLoop: the controller already has a payload of " + number(mass) +
+                " kg, which the base estimate would not include; wanted a call of estimate_base() "
+                "before the loop's set_payload()");
   impl_->estimated.emplace(nominal, estimator, feet, impl_->touches);
   impl_->sensing.mount_imu(impl_->plant->model(), estimator.imu_frame);
 }
@@ -508,7 +507,7 @@ std::vector<TraceColumn> ClosedLoop::Impl::columns_of(const std::vector<Signal>&
     for (const TraceColumn& column : signal.columns) {
       if (!names.insert(column.name).second)
         throw Error("the trace has two columns " + in_quotes(column.name) +
-                    "; wanted other names of touches and joints");
+                    "; wanted another name for one of the touches or joints");
       columns.push_back(column);
     }
   return columns;

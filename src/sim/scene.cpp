@@ -69,7 +69,8 @@ void check_touch(const Model& model, const TouchSpec& touch) {
   check_surface(model, touch, of);
   if (touch.is_rectangle() && !touch.is_support)
     throw Error(of +
-                " it is a rectangle and a tool; wanted is_support for a rectangle, or a sphere");
+                " it is a rectangle, but not a support; wanted is_support, or a sphere as the "
+                "tool");
   if (const std::string unfit = unfit_for_supports(touch.surface);
       touch.is_support && !unfit.empty())
     throw Error(of + " its surface " + unfit +

@@ -87,7 +87,7 @@ const tinyxml2::XMLElement& needed_child(const tinyxml2::XMLElement& parent, con
                                          const XmlPlace& place) {
   const tinyxml2::XMLElement* child = parent.FirstChildElement(name);
   if (child == nullptr) {
-    refuse(place, parent, tag(parent) + " has no <" + name + ">; wanted one");
+    refuse(place, parent, tag(parent) + " has no <" + name + ">; the element is needed");
   }
   if (child->NextSiblingElement(name) != nullptr) {
     refuse(place, *child, tag(parent) + " holds " + tag(*child) + " twice; wanted it once");

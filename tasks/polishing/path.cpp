@@ -81,9 +81,9 @@ Path::Path(const PathSpec& spec) : spec_(spec), duration_(std::numeric_limits<do
       within_reason(spec.height, "height");
       within_reason(spec.speed, "speed");
       if (spec.rows < 2)
-        throw Error("path: " + std::to_string(spec.rows) + " rows; wanted at least 2");
+        throw Error("path: rows is " + std::to_string(spec.rows) + "; wanted at least 2");
       if (spec.rows > max_rows)
-        throw Error("path: " + std::to_string(spec.rows) + " rows; wanted at most " +
+        throw Error("path: rows is " + std::to_string(spec.rows) + "; wanted at most " +
                     std::to_string(max_rows));
       corners_.emplace_back(0.0, 0.0);
       for (int row = 0; row < spec.rows; ++row) {

@@ -79,8 +79,8 @@ void check_home(const Task& task) {
   };
   if (task.standing.stands()) refuse("does not keep the balance of a robot that stands");
   if (!task.surface_frame.empty())
-    refuse("cannot be checked for collisions with a surface that the robot carries, here at " +
-           in_quotes(task.surface_frame));
+    refuse("cannot be checked for collisions with a surface that the robot carries (frame " +
+           in_quotes(task.surface_frame) + ")");
 }
 
 void check_carrier(const Task& task, const Model& model) {

@@ -23,12 +23,11 @@ void note_lag(const Task& task, std::vector<std::string>& notes) {
                         : std::string("have no lag");
   };
   const bool plans_more_lag = lag(planned) > lag(real);
-  notes.push_back("the motors of the controller's model " + words(planned) +
-                  " (controller.torque_cutoff), and the plant's motors " + words(real) +
-                  " (disturbances.torque_cutoff): " +
-                  (plans_more_lag ? "a modelled lag that the plant does not have causes overshoot"
-                                  : "torques that come later than planned cause oscillation") +
-                  "; set both to the same value unless the difference is intended");
+  notes.push_back("the motors in the controller's model " + words(planned) +
+                  " (controller.torque_cutoff), but the plant's motors " + words(real) +
+                  " (disturbances.torque_cutoff), which causes " +
+                  (plans_more_lag ? "overshoot" : "oscillation") +
+                  "; set both keys to the same value unless the difference is intended");
 }
 
 /// Adds a note if the bandwidth of the force-error estimate is too large for the delays in its
@@ -39,8 +38,8 @@ void note_force_error(const Task& task, std::vector<std::string>& notes) {
   if (error.kind != ModelErrorKind::Force || !error.bandwidth || *error.bandwidth <= max_bandwidth)
     return;
   notes.push_back("model_error.bandwidth of " + number(*error.bandwidth) +
-                  " rad/s oscillates with model_error.kind force and a filtered force sensor; use "
-                  "at most " +
+                  " rad/s causes oscillation if model_error.kind is force and the force sensor is "
+                  "filtered; use at most " +
                   number(max_bandwidth) + " rad/s");
 }
 
@@ -49,9 +48,9 @@ void note_short_time(const Task& task, std::vector<std::string>& notes) {
   const double whole = path_time(task);
   if (whole <= (1.0 + 1e-9) * task.polish_duration) return;
   const std::string wanted = number(std::ceil(10.0 * whole) / 10.0);
-  notes.push_back("the path takes " + wanted + " s, and phases.polish_duration is " +
+  notes.push_back("the path takes " + wanted + " s, but phases.polish_duration is " +
                   number(task.polish_duration) +
-                  " s: the run is cut short, and the verdict covers that part only; set " + wanted +
+                  " s, so the verdict covers only the first part of the path; set " + wanted +
                   " s for the whole path");
 }
 

@@ -166,9 +166,10 @@ class FootSearch {
   /// Adds a note about legs whose ends were derived from mass and inertia.
   void add_notes(Feet& feet) const {
     if (assumed_.empty()) return;
-    feet.notes.push_back(listed("link", assumed_) + (assumed_.size() == 1 ? " has" : " have") +
-                         " neither geometry nor a frame of a foot: the end of the leg is assumed "
-                         "from mass and inertia; a frame in robot.yaml takes precedence");
+    feet.notes.push_back(
+        listed("link", assumed_) + (assumed_.size() == 1 ? " has" : " have") +
+        " neither geometry nor a foot frame, so the end of the leg is estimated from "
+        "mass and inertia; a foot frame in robot.yaml replaces this estimate");
   }
 
   End end_at(int body) const {

@@ -271,11 +271,9 @@ Eigen::VectorXd crouched_posture(const Model& model, const Standing& standing,
   }
   if (first) return *first;
   throw Error(
-      "no posture was found in which the feet are level, the base is upright and lowered by at "
-      "most " +
-      number(crouch) +
-      " of its height above the feet (crouch), and the centre of mass is above the middle of the "
-      "feet" +
+      "no posture was found with level feet, an upright base, the centre of mass above the middle "
+      "of the feet and a crouch of at most " +
+      number(crouch) + " (fraction of the height of the base above the feet)" +
       joints_at_limits(model, standing, last) +
       "; wanted a posture in the robot's settings, or another crouch");
 }

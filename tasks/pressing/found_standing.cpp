@@ -49,7 +49,7 @@ Standing standing_on(Robot& robot, const Standing& standing, std::vector<std::st
   notes.push_back((is_auto ? "feet: "
                            : "standing.feet: " + in_quotes(stated.front()) +
                                  " and the other feet are not frames of robot " +
-                                 in_quotes(robot.model.name) + "; feet: ") +
+                                 in_quotes(robot.model.name) + "; feet used instead: ") +
                   feet_text(*feet));
   notes.insert(notes.end(), feet->notes.begin(), feet->notes.end());
   note_wheels(robot.model, feet->frames, notes);

@@ -98,10 +98,9 @@ Robot light_joints_locked(Robot robot, const std::string& name, const Standing& 
     text += (i == 0 ? light.size() > 1 ? "s " : " " : ", ") + in_quotes(light[i]);
   if (light.size() > max_names)
     text += " and " + std::to_string(light.size() - max_names) + " others";
-  robot.notes.push_back(text + ": these are fingers, or joints with an inertia below " +
-                        number(min_inertia) +
-                        " kg m^2, which motor noise would shake; an armature in robot.yaml "
-                        "(joints:) keeps a joint free");
+  robot.notes.push_back(text + " (fingers, or joints with an inertia below " + number(min_inertia) +
+                        " kg m^2, which motor noise would shake); to keep a joint free, state its "
+                        "armature in robot.yaml (joints:)");
   return robot;
 }
 

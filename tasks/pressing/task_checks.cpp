@@ -57,11 +57,11 @@ void note_delays(const AssumedDelays& controller, const Disturbances& disturbanc
   const double assumed = controller.command + controller.measurement;
   if (std::abs(actual - assumed) <= tolerance + 1e-9) return;
   notes.push_back("commands and measurements are " + number(1e3 * actual) +
-                  " ms late (disturbances.command_delay, measurement_delay), and the controller "
-                  "assumes " +
+                  " ms late in all (disturbances.command_delay, measurement_delay), but the "
+                  "controller assumes " +
                   number(1e3 * assumed) +
-                  " ms (controller.command_delay, measurement_delay); state equal delays unless "
-                  "the difference is intended");
+                  " ms (controller.command_delay, measurement_delay); set equal delays unless the "
+                  "difference is intended");
 }
 
 }  // namespace burnish::pressing

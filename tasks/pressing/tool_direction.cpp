@@ -64,12 +64,10 @@ void note_tool_direction(const std::string& frame, const std::optional<Eigen::Ve
                          const Model& model, std::vector<std::string>& notes) {
   const ToolDirection direction = tool_direction(frame, axis, model);
   if (direction.decided) return;
-  notes.push_back("the description does not determine the sign of the pressing axis of tool " +
-                  in_quotes(frame) +
-                  ": the tool, the second-last joint and the last link's centre of mass have no "
-                  "offset along the axis of the last joint; " +
-                  axis_text(direction.axis) + " is assumed; set " + axis_text(-direction.axis) +
-                  " if the tool presses in the opposite direction");
+  notes.push_back(
+      axis_text(direction.axis) + " is assumed as the direction in which tool " + in_quotes(frame) +
+      " presses, because the description does not determine the sign of this axis; set " +
+      axis_text(-direction.axis) + " if the tool presses in the opposite direction");
 }
 
 }  // namespace burnish::pressing

@@ -262,7 +262,8 @@ Setting make_setting(const Task& task, const Robot& robot) {
   Setting s;
   s.robot = robot;
   s.q_start = pressing::start_posture(robot, task.posture, []() -> Eigen::VectorXd {
-    throw Error("the robot does not have a default posture; wanted one in its settings");
+    throw Error(
+        "the robot does not have a default posture; wanted default_posture in its settings");
   });
   s.wall_axes = Reference::surface_with_normal(task.wall.normal_world.normalized()).rotation;
   place_wall(task, s);

@@ -23,9 +23,10 @@ void check_forces(const Task& task) {
                                      " N, more than the force of " + number(task.force) +
                                      " N; wanted at most " + number(task.force) + " N");
   if (!std::isfinite(force_max(task)))
-    refuse("force_search.force_max",
-           "it is never, and limits.force is never; wanted a number in one of the two, because the "
-           "search for the largest force needs an upper limit");
+    refuse(
+        "force_search.force_max",
+        "force_max and limits.force are both never; wanted a number for one of these keys, because "
+        "the search for the largest force needs an upper limit");
   if (task.force_search.force_max <= task.force)
     refuse("force_search.force_max", "it is " + number(task.force_search.force_max) +
                                          " N; wanted more than the force of " + number(task.force) +

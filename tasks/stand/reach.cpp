@@ -201,7 +201,7 @@ std::vector<std::string> sway_notes(const Task& task, const Setting& setting) {
         "sway: " + joined(left_out) + (left_out.size() == 1 ? " is" : " are") +
         " omitted, because no posture on these feet moves the trunk in that direction alone");
   if (!made_smaller.empty())
-    notes.push_back("sway: reduced to the size and the reach of the robot: " +
+    notes.push_back("sway: amplitudes are reduced to fit the size and reach of the robot: " +
                     joined(made_smaller));
   return notes;
 }

@@ -160,8 +160,9 @@ Setting make_setting(const Task& task, const Robot& robot) {
     constexpr double tolerance = 0.01;
     const double crouch = pressing::crouch_at(model, s.standing, q);
     if (crouch < task.crouch - tolerance)
-      s.notes.push_back("crouch: " + number(std::round(1e3 * crouch) / 1e3) + " in place of " +
-                        number(task.crouch) + "; a lower base brings the legs to their limits");
+      s.notes.push_back("crouch: " + number(std::round(1e3 * crouch) / 1e3) +
+                        " is used in place of " + number(task.crouch) +
+                        ", because a lower base brings the legs to their limits");
     return q;
   });
   s.base = pressing::base_frame(model);
@@ -236,8 +237,9 @@ std::vector<std::string> setting_notes(const Task& task, const Setting& setting)
   const double used = pressing::for_feet(setting.robot.model, setting.standing, task.disturbances)
                           .support_force_noise;
   if (used < noise)
-    notes.push_back("disturbances.support_force_noise: " + number(used) + " N in place of " +
-                    number(noise) + " N, as for sensors of feet that carry a small load");
+    notes.push_back("disturbances.support_force_noise: " + number(used) +
+                    " N is used in place of " + number(noise) +
+                    " N, because the feet carry a small load");
   return notes;
 }
 

@@ -44,7 +44,7 @@ TEST(Signal, NoEntriesOrNoFunction_IsRefused) {
   EXPECT_EQ(testing::refusal([] { Signal::over_time(0, Ramp{1.0}); }),
             "a signal over time has 0 entries; wanted at least 1");
   EXPECT_EQ(testing::refusal([] { Signal::over_time(1, nullptr); }),
-            "a signal over time has no function; wanted one");
+            "a signal over time has no function; wanted a function of time");
 }
 
 }  // namespace

@@ -74,7 +74,7 @@ TEST(TermReader, RobotLimits_SkipJointsWithoutALimit) {
 
 TEST(TermReader, RowWithoutAScale_IsNamed) {
   expect_words(refusal([] { Problem(with_torque_limit(", upper: 5").spec); }),
-               {"row 'joint_2'", "wanted scale"});
+               {"row 'joint_2'", "wanted a scale"});
 }
 
 TEST(TermReader, EmptyOrRepeatedJoints_AreRefusedWithTheirPlace) {

@@ -149,7 +149,7 @@ INSTANTIATE_TEST_SUITE_P(
                        costs(many_pieces([](const auto& i) { return "r" + i + ": {type: state}"; }),
                              "[s: 100000]"));
                  },
-                 "wanted at most 10000000 terms and entries in all"},
+                 "wanted at most 10000000 of these in all knots together"},
         LongText{"path", problem,
                  [] { return std::string("robot: " + repeated(30000, "a/") + "\n"); },
                  "does not exist"},

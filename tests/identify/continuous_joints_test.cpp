@@ -155,7 +155,7 @@ TEST(ContinuousJointRecord, FaultyAngle_IsNamedWithItsFault) {
   const Identification repaired = found_in(
       of("joint_5", [](const std::string&, int i, double a) { return i == 2000 ? a + 1.0 : a; }));
   ASSERT_FALSE(repaired.warnings.empty());
-  EXPECT_NE(repaired.warnings[0].find("'q_joint_5' is off by up to 1 rad for 1 sample"),
+  EXPECT_NE(repaired.warnings[0].find("'q_joint_5' has outliers of up to 1 rad in 1 sample"),
             std::string::npos);
 }
 
@@ -171,9 +171,10 @@ TEST(ContinuousJointRecord, MissingPosition_IsRefusedWithPossibleColumns) {
     (void)identify(continuous_arm().model, record);
     ADD_FAILURE() << "not refused";
   } catch (const Error& error) {
-    EXPECT_STREQ(error.what(),
-                 "identify: q has 9 columns; wanted 7, with the angle of each continuous joint, or "
-                 "11, with its cosine and sine");
+    EXPECT_STREQ(
+        error.what(),
+        "identify: q has 9 columns; wanted 7, with one angle for each continuous joint, or "
+        "11, with a cosine and a sine for each");
   }
 }
 

@@ -58,9 +58,9 @@ TEST(Excitation, StartBeyondTheEffortFraction_IsRefusedWithTheFraction) {
 }
 
 TEST(Excitation, NoMotionWithinAnEffortLimit_IsRefusedWithTheJoint) {
-  expect_in(refusal_with_effort(holding_torque() / 0.79999),
-            {"no motion was found", "joint 'joint_2' would need ",
-             "still too large at 7 % of the full size"});
+  expect_in(
+      refusal_with_effort(holding_torque() / 0.79999),
+      {"no motion was found", "joint 'joint_2' would need ", "not even at 7 % of the full size"});
 }
 
 TEST(Excitation, MotionBeyondAnEffortLimit_IsReducedWithAWarning) {

@@ -139,7 +139,7 @@ TEST(Spring, CoupledContinuousJoints_AreRefused) {
   expect_words(refused(tree), {"'elbow'", "'shoulder'", "continuous", "revolute"});
   tree.joints[1].mimic->multiplier = 2.0;
   tree.joints[0].stiffness = 0.0;
-  expect_words(refused(tree), {"'elbow'", "'shoulder'", "rest angle"});
+  expect_words(refused(tree), {"'elbow'", "'shoulder'", "both springs at rest"});
 }
 
 }  // namespace

@@ -109,7 +109,7 @@ TEST(MpcPayload, PayloadBeforeTheEstimateOfTheBase_IsRefused) {
   ASSERT_EQ(mpc.set_payload("tool", brick(2.0)), Status::Ok);
   testing::expect_words(
       testing::refusal([&] { loop.estimate_base(spec.problem.model, BaseEstimatorOptions{}); }),
-      {"payload of 2 kg", "estimate_base() first"});
+      {"payload of 2 kg", "a call of estimate_base() before"});
 }
 
 TEST(MpcPayload, InvalidPayload_IsRefusedAndAValidOneAllocatesNothing) {

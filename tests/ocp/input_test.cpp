@@ -381,9 +381,11 @@ TEST_F(Input, InvalidSpecifications_AreRefused) {
   const InputSpec load{.name = "load", .kind = InputKind::Inertia, .frame = "tool"};
   InputSpec second = load;
   second.name = "second";
-  refused({.residual = force}, {load, second}, {"'second'", "body of input 'load'"});
+  refused({.residual = force}, {load, second},
+          {"'second'", "frame of input 'load' are on one body"});
   refused({.residual = residual::FrictionCone{.contact = "pad"}, .friction_ratio_input = "error"},
-          {{.name = "error", .value = -0.5}}, {"'error'", "its value -0.5 is used as friction"});
+          {{.name = "error", .value = -0.5}},
+          {"'error'", "the value is -0.5", "a friction coefficient"});
 }
 
 TEST_F(Input, InvalidCalls_AreRefused) {

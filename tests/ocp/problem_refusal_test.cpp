@@ -53,7 +53,7 @@ std::vector<BadSpec> bad_targets() {
       {"target_nan",
        with(R::FramePosition{"tool", p}),
        {"stage 'press'", "term 'position'", "target", "NaN"}},
-      {"target_missing", with(R::FramePosition{"tool"}), {"no target", "3 entries"}},
+      {"target_missing", with(R::FramePosition{"tool"}), {"the target is missing", "3 entries"}},
       {"target_size",
        with(R::FramePosition{"tool", Eigen::Vector2d(0.0, 0.0)}),
        {"target has 2 entries", "wanted 3"}},
@@ -76,7 +76,7 @@ std::vector<BadSpec> bad_targets() {
       {"position_from_itself",
        with(R::FramePosition{"tool", 0.0, Reference::centered()}),
        {"'position'", "origin is the frame itself", "wanted the world"}},
-      {"distance_missing", with(R::FrameDistance{"tool"}), {"no target", "3 entries"}},
+      {"distance_missing", with(R::FrameDistance{"tool"}), {"the target is missing", "3 entries"}},
       {"distance_from_itself",
        with(R::FrameDistance{"tool", {}, Directions::linear(), Reference::local()}),
        {"'position'", "origin is the frame itself", "wanted the world"}},
@@ -276,12 +276,12 @@ std::vector<BadSpec> bad_constraints() {
   return {
       {"constraint_without_a_scale",
        with(one(0.0), none, "box"),
-       {"constraint 'box'", "row 'x'", "needs a scale", "wanted scale", "in its unit"}},
+       {"constraint 'box'", "row 'x'", "needs a scale", "wanted a scale", "in the row's unit"}},
       {"distance_without_a_scale",
        [one, none](ProblemSpec& s) {
          s.stages[0].constraints = {{"far", residual::FrameDistance{"tool", 0.0}, one(0.0), none}};
        },
-       {"constraint 'far'", "row 'distance'", "wanted scale"}},
+       {"constraint 'far'", "row 'distance'", "wanted a scale"}},
       {"constraint_scales",
        with_weights(Eigen::Vector2d(1.0, 1.0), 1.0, 0.0),
        {"scale has 2 entries"}},

@@ -400,7 +400,7 @@ TEST(MpcController, InvalidSpec_IsRefused) {
                  s.touches = {{s.tool, WrenchSensor::None}};
                  s.model_error.kind = ModelErrorKind::Force;
                }),
-               {"without a force sensor", "model_error.kind torque", "touches"});
+               {"has no force sensor", "model_error.kind torque", "touches"});
   expect_words(with([&](S& s) { s.fallback.stiffness = nan; }), {"stiffness", "nan", "at least 0"});
   expect_words(with([](S& s) { s.fallback.saturation_fraction = 1.5; }),
                {"saturation_fraction", "1.5", "between 0 and 1"});

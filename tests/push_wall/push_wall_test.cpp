@@ -172,7 +172,8 @@ TEST(PushWall, InvalidFile_RefusalNamesTheLine) {
                {"line 4: force_search.force_max: it is 40 N"});
   expect_words(refused(head + "limits: {force: 52}\n"),
                {"line 4: limits.force: the limit is 52 N"});
-  expect_words(refused(head + "limits: {force: never}\n"), {"force_search.force_max: it is never"});
+  expect_words(refused(head + "limits: {force: never}\n"),
+               {"force_search.force_max: force_max and limits.force are both never"});
   expect_words(refused(head + "standing: {force_sensors: false}\n"),
                {"line 4: standing.force_sensors: it is false"});
   expect_words(refused(head + "standing: {feet: [left_sole]}\n"), {"standing.feet", "'left_sole'"});

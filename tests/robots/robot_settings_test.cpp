@@ -48,8 +48,8 @@ TEST(RobotSettings, BadKeys_AreRefusedWithTheValidKeys) {
   EXPECT_EQ(sentence("frames: {world: {parent: hand}}"),
             "robot.yaml: line 2: frames.world: the name 'world' is reserved; wanted another name");
   EXPECT_EQ(sentence("joints: {a: {rotor_inertia: 1e-5, gear_ratio: 0}}"),
-            "robot.yaml: line 2: joints.a.gear_ratio: it is 0; wanted the turns of the rotor per "
-            "turn of the joint, not 0");
+            "robot.yaml: line 2: joints.a.gear_ratio: it is 0; wanted a number of rotor turns "
+            "per joint turn other than 0");
   EXPECT_EQ(sentence("postures: {a: {from: b}, b: {j: 1}}"),
             "robot.yaml: line 2: postures.a.from: posture 'b' does not exist above this posture");
 }

@@ -249,7 +249,7 @@ TEST(StandTrunk, SwayBeyondTheFeetWithoutFit_IsRefused) {
   expect_words(refused({"constraints.torque=0.1"}), {"posture: ", "torque limits/"});
   // Legs that cannot crouch that far crouch as low as possible, and a note gives the value.
   const Task low = short_task(quadruped, {"posture=search", "crouch=0.99"});
-  expect_words(notes_text(low, make_setting(low)), {"crouch: ", " in place of 0.99"});
+  expect_words(notes_text(low, make_setting(low)), {"crouch: ", " is used in place of 0.99"});
 }
 
 TEST(StandTrunk, SwayBeyondTheFeet_IsReducedWithANote) {
@@ -258,7 +258,8 @@ TEST(StandTrunk, SwayBeyondTheFeet_IsReducedWithANote) {
   EXPECT_EQ(refusal([&] { refuse_out_of_reach(task, setting); }), "");
   EXPECT_GT(setting.sway.shift.y(), 0.01);
   EXPECT_LT(setting.sway.shift.y(), 0.05);
-  expect_words(notes_text(task, setting), {"sway: reduced", "y ", " in place of 0.2 m"});
+  expect_words(notes_text(task, setting),
+               {"sway: amplitudes are reduced", "y ", " in place of 0.2 m"});
   const Task shipped_one = short_task();
   EXPECT_EQ(notes_text(shipped_one, make_setting(shipped_one)), "");
 }

@@ -152,7 +152,7 @@ TEST(Path, InvalidSpec_IsRefused) {
   expect_words(with(PathKind::Spiral, [](S& s) { s.pitch = 0.0; }), {"pitch", "positive"});
   expect_words(with(PathKind::Spiral, [](S& s) { s.rate = -1.0; }), {"rate", "positive"});
   expect_words(with(PathKind::Spiral, [](S& s) { s.start_up = 0.0; }), {"start_up", "positive"});
-  expect_words(with(PathKind::ZigZag, [](S& s) { s.rows = 1; }), {"1 rows", "at least 2"});
+  expect_words(with(PathKind::ZigZag, [](S& s) { s.rows = 1; }), {"rows is 1", "at least 2"});
   expect_words(with(PathKind::ZigZag, [&](S& s) { s.width = nan; }), {"width", "positive"});
   expect_words(with(PathKind::ZigZag, [](S& s) { s.speed = 0.0; }), {"speed", "positive"});
   expect_words(with(PathKind::Points, [](S& s) { s.points.clear(); }), {"points is empty"});

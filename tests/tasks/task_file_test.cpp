@@ -376,14 +376,14 @@ TEST_F(TaskFile, DoubtfulSettings_AreNoted) {
   task.torque_cutoff = 60.0;
   ASSERT_EQ(task_notes(task).size(), 1U);
   expect_words(task_notes(task)[0], {"model have a cutoff of 60 rad/s (controller.torque_cutoff)",
-                                     "plant's motors have no lag", "causes overshoot"});
+                                     "plant's motors have no lag", "which causes overshoot"});
   task.disturbances.torque_cutoff = 50.0;
   EXPECT_TRUE(task_notes(task).empty());
   task.torque_cutoff = 0.0;
   ASSERT_EQ(task_notes(task).size(), 1U);
-  expect_words(task_notes(task)[0],
-               {"model have no lag", "plant's motors have a cutoff of 50 rad/s",
-                "later than planned cause oscillation"});
+  expect_words(
+      task_notes(task)[0],
+      {"model have no lag", "plant's motors have a cutoff of 50 rad/s", "causes oscillation"});
   task.disturbances.torque_cutoff = 500.0;  // 2 ms
   EXPECT_TRUE(task_notes(task).empty());
   task.model_error = {.kind = ModelErrorKind::Force, .bandwidth = 50.0};
@@ -391,7 +391,7 @@ TEST_F(TaskFile, DoubtfulSettings_AreNoted) {
   task.model_error.bandwidth = 80.0;
   ASSERT_EQ(task_notes(task).size(), 1U);
   expect_words(task_notes(task)[0],
-               {"model_error.bandwidth of 80 rad/s oscillates", "at most 50 rad/s"});
+               {"model_error.bandwidth of 80 rad/s causes oscillation", "at most 50 rad/s"});
   task.model_error.kind = ModelErrorKind::Torque;
   EXPECT_TRUE(task_notes(task).empty());
 }

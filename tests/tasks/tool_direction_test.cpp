@@ -59,7 +59,7 @@ TEST(ToolDirection, NoOffset_NoteNamesTheAssumedDirection) {
   EXPECT_EQ(ambiguous.z(), 1.0);
   ASSERT_EQ(ambiguous.robot.notes.size(), 1U);
   expect_words(ambiguous.robot.notes.front(),
-               {"pressing axis of tool 'flange'", "tool.axis=[0, 0, 1] is assumed",
+               {"in which tool 'flange' presses", "tool.axis=[0, 0, 1] is assumed",
                 "set tool.axis=[0, 0, -1] if the tool presses in the opposite direction"});
   Task stated = ambiguous.task;
   override_task(stated, {"tool.axis=[0, 0, -1]"});

@@ -115,7 +115,8 @@ TEST(PolishingVerdict, PathTooLongForItsTime_IsJudgedOnItsReachablePart) {
   // The notes of the task warn before the run.
   const std::vector<std::string> notes = task_notes(spec.task, true);
   ASSERT_EQ(notes.size(), 1U);
-  expect_words(notes[0], {"the path takes 30.9 s", "phases.polish_duration is 1.5 s", "cut short"});
+  expect_words(notes[0], {"the path takes 30.9 s", "phases.polish_duration is 1.5 s",
+                          "covers only the first part of the path"});
 }
 
 TEST(PolishingVerdict, SeveralFailures_AreAllNamed) {

@@ -64,10 +64,10 @@ const std::vector<DefectCase>& defect_cases() {
   static const std::vector<DefectCase> all = {
       {"LimitsInDegrees",
        joints([](JointSpec& j) { j.lower *= degrees, j.upper *= degrees; }),
-       {"joint '", "limits of position", "degrees?"}},
+       {"joint '", "position limits", "degrees?"}},
       {"LimitsInRadiansReadAsDegrees",
        joints([](JointSpec& j) { j.lower /= degrees, j.upper /= degrees; }),
-       {"joint '", "limits of position", "as if they were degrees?"}},
+       {"joint '", "position limits", "as if they were degrees?"}},
       {"VelocitiesInDegrees",
        joints([](JointSpec& j) { j.velocity_limit *= degrees; }),
        {"joint '", "velocity limit of", "degrees per second?"}},

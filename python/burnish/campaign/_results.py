@@ -73,8 +73,8 @@ class RunFolder:
             fcntl.flock(self._lock, fcntl.LOCK_EX | fcntl.LOCK_NB)
         except BlockingIOError as taken:
             os.close(self._lock)
-            raise CampaignError(f"another run writes into '{self.path}'; wanted another folder, or the end "
-                                f"of that run") from taken
+            raise CampaignError(f"another run writes into '{self.path}'; choose another folder, or wait for "
+                                f"that run to end") from taken
         except OSError:
             pass  # the file system has no locks
         if not resume and any((self.path / name).exists() for name in (".burnish", "runs")):

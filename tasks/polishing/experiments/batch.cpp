@@ -127,7 +127,8 @@ void check_kernels(const ExperimentSpec& spec, std::vector<RunFigures> figures, 
   if (sets > 1)
     throw Error("the runs were made with kernels for different processors (" + text +
                 (makes_some ? ", including those of this program" : "") +
-                "), whose results differ in their last digits; wanted one kind, or --mixed");
+                "), whose results differ in their last digits; wanted runs with the same kernels, "
+                "or --mixed");
 }
 
 std::string name_in(const RunStore& store, const BatchRun& run) {

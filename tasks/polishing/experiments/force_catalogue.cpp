@@ -334,8 +334,8 @@ void Catalogue::add_motion() {
               {test, "without_contact", milli * losses.time}};
     };
     tests.push_back({test,
-                     number(milli * amplitude) + " mm at " + number(frequency) +
-                         " Hz along its normal, at one point",
+                     "the surface oscillates by " + number(milli * amplitude) + " mm at " +
+                         number(frequency) + " Hz along its normal, at one point",
                      task, measure});
   }
   Task task = still(start + 2.1);
@@ -349,9 +349,10 @@ void Catalogue::add_motion() {
             {test, "steady_error", mean_error(signal, begin + 1.0, last)},
             {test, "force_rmse", rms_error(signal, begin + 1.0, last)}};
   };
-  tests.push_back(
-      {test, "motion towards the tool at " + number(milli * drift) + " mm/s after a start time",
-       task, measure, true});
+  tests.push_back({test,
+                   "the surface moves towards the tool at " + number(milli * drift) +
+                       " mm/s after a start time",
+                   task, measure, true});
 }
 
 }  // namespace

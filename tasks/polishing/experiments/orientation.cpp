@@ -172,7 +172,7 @@ Panel panel_over_azimuth(const std::vector<Place>& places, const RunFigures& tab
                             .color = color++});
   }
   const double limit = allowed_ratio * shown(figure, table[figure]);
-  panel.curves.push_back({.name = "twice the error on the table",
+  panel.curves.push_back({.name = "twice the error of the run on the table",
                           .x = Eigen::Vector2d(0.0, 330.0),
                           .y = Eigen::Vector2d(limit, limit),
                           .color = 6,
@@ -217,7 +217,8 @@ ExperimentReport perform_orientation(const ExperimentSpec& spec) {
                                  : "; the aim is at least " + std::to_string(runs_wanted) + "."));
   report.findings.push_back(
       std::to_string(within) +
-      " of the directions within reach have at most twice the force and path errors of the table.");
+      " of the directions within reach have at most twice the force and path errors of the run on "
+      "the table.");
   if (worst != nullptr) {
     char text[160];
     std::snprintf(text, sizeof text,

@@ -136,8 +136,8 @@ ResultTable aims_table(const ExperimentSpec& spec, const std::vector<RunFigures>
   const auto faults = std::count_if(figures.begin(), figures.end(), [](const RunFigures& run) {
     return run.made && run.fault != FaultKind::None;
   });
-  report.findings.push_back(std::to_string(faults) + " runs ended with a fault; on " +
-                            ranges.summary + ".");
+  report.findings.push_back(std::to_string(faults) +
+                            " runs ended with a fault; the surfaces were " + ranges.summary + ".");
   return table;
 }
 
