@@ -45,10 +45,10 @@ struct SurfaceEstimateOptions {
 /// compliance c. The measurement equation is
 ///   phi = h + s . t + t . K t / 2 - c f,
 /// where phi is the distance of the tip from the initial surface, negative inside the material. t
-/// is the tip's displacement along the tangents and f the force along the normal. If the surface may
-/// move, h changes at the rate r. While the tip travels, state and covariance are predicted over
-/// the travelled distance. Slope and curvature at the tip are extrapolated to the surface ahead of
-/// the tip.
+/// is the tip's displacement along the tangents and f the force along the normal. If the surface
+/// may move, h changes at the rate r. While the tip travels, state and covariance are predicted
+/// over the travelled distance. Slope and curvature at the tip are extrapolated to the surface
+/// ahead of the tip.
 class SurfaceEstimator {
  public:
   /// `nominal`: initial surface. `tip_radius`: radius of the tip [m]. `tick_period`: time between

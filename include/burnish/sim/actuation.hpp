@@ -38,7 +38,8 @@ struct ActuationStep {
 
 /// Simulates the motors, which turn a torque command into joint torques. The stages are, in this
 /// order: delay; lag; scale and bias (unless a torque control loop cancels them); noise; effort
-/// limits; motor failures. Call apply() once per plant step. After construction nothing is allocated or thrown.
+/// limits; motor failures. Call apply() once per plant step. After construction nothing is
+/// allocated or thrown.
 class Actuation {
  public:
   /// Creates the motors for plant steps of `dt` [s]. Throws Error in the same cases as

@@ -29,10 +29,10 @@ struct ClosedLoopOptions {
   std::optional<std::string> imu_frame = {};
 };
 
-/// Runs a controller and a plant in closed loop. The controller receives the wrenches on its touches
-/// (see Controller::touches()), as measured by sensors. The plant's scene must contain these
-/// touches. The plant advances in its own time steps. The controller ticks at the start of every control period, and its torque
-/// command is held until the next tick.
+/// Runs a controller and a plant in closed loop. The controller receives the wrenches on its
+/// touches (see Controller::touches()), as measured by sensors. The plant's scene must contain
+/// these touches. The plant advances in its own time steps. The controller ticks at the start of
+/// every control period, and its torque command is held until the next tick.
 ///
 /// A row of the trace describes one plant step. Time, state, tool, measurement and command are
 /// values at the start of the step. Forces and torques are values during the step.

@@ -11,8 +11,8 @@
 
 namespace burnish::polishing {
 
-/// Stability margins that a control loop must have with the gains from fit_gains(). The loop already
-/// contains the usual delays and filters.
+/// Stability margins that a control loop must have with the gains from fit_gains(). The loop
+/// already contains the usual delays and filters.
 /// @described polishing
 struct RequiredMargins {
   double delay = 2e-3;  ///< Extra delay of commands that the control loop must tolerate [s], >= 0
