@@ -19,6 +19,7 @@
 #include "polishing/resting_hand.hpp"
 #include "polishing/rotors.hpp"
 #include "polishing/verdict.hpp"
+#include "pressing/task_checks.hpp"
 #include "progress_bar.hpp"
 #include "record/json_text.hpp"
 #include "record/run_folder.hpp"
@@ -201,8 +202,11 @@ void check_place(CheckedPlace& place, const std::vector<document::Reader>& said,
   polishing::Task& task = place.job->spec.task;
   const bool plans = place.job->spec.controller == ControllerKind::Mpc;
   if (unchecked && !plans) return;
-  const polishing::Setting setting =
-      files::placed(said, [&] { return polishing::make_setting(task, *place.job->spec.robot); });
+  const polishing::Setting setting = files::placed(said, [&] {
+    polishing::Setting made = polishing::make_setting(task, *place.job->spec.robot);
+    pressing::check_names(task.disturbances, made.robot.model, made.scene);
+    return made;
+  });
   if (plans) place.controller = fit_controller(task, setting);
   if (!unchecked) {
     const std::string& name = place.job->place;

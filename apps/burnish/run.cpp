@@ -16,6 +16,7 @@
 #include "plan_steps.hpp"
 #include "press_hold/record.hpp"
 #include "pressing/record.hpp"
+#include "pressing/task_checks.hpp"
 #include "pressing/task_form.hpp"
 #include "progress_bar.hpp"
 #include "push_wall/record.hpp"
@@ -138,6 +139,7 @@ auto checked_run(const RunArguments& a, std::optional<int> seed, bool is_first) 
           for (const std::string& change : fit_to_robot(spec.task, robot))
             if (is_first) fmt::print(stderr, "burnish: note: {}\n", change);
       spec.setting = make_setting(spec.task, robot);
+      pressing::check_names(spec.task.disturbances, robot.model, spec.setting->scene);
       if (spec.check_reach) refuse_out_of_reach(spec.task, *spec.setting);
       if (is_first) print_notes(a, file, spec, pressing::states_disturbances(said.texts));
     });
