@@ -135,10 +135,14 @@ class Blocks {
     const std::vector<std::string>& names;
     const Eigen::VectorXd& units;
   };
+  /// Sizes to which the errors of a block are compared, as in DerivativeBlock.
+  struct ErrorSizes {
+    double floor, noise;
+  };
   void add(const char* name, const Side& rows, const Side& columns, const Eigen::MatrixXd& value,
-           const Eigen::MatrixXd& expected, double floor, double noise) {
-    blocks_.push_back({name, rows.names, columns.names, value, expected, floor, noise, rows.units,
-                       columns.units});
+           const Eigen::MatrixXd& expected, const ErrorSizes& sizes) {
+    blocks_.push_back({name, rows.names, columns.names, value, expected, sizes.floor, sizes.noise,
+                       rows.units, columns.units});
     if (!good_) blocks_.back().value.setConstant(std::numeric_limits<double>::quiet_NaN());
   }
   /// Sets the values of later blocks to NaN unless the status is Ok, so that these blocks fail.
@@ -150,19 +154,21 @@ class Blocks {
     const double a_floor = floor_of(dynamics_.a(), units_.motion);
     const double lambda_floor = floor_of(dynamics_.lambda(), units_.row_force);
     require(dynamics_.forward_derivatives());
-    const auto pair = [&](const char* a, const char* lambda, const Side& columns,
-                          const Eigen::MatrixXd& by, const Eigen::MatrixXd& da,
-                          const Eigen::MatrixXd& dlambda, double step) {
-      add(a, motion_, columns, da, by.topRows(nv_), a_floor, noise_of(sizes_.a, step));
-      add(lambda, row_forces_, columns, dlambda, by.middleRows(nv_, m_), lambda_floor,
-          noise_of(sizes_.lambda, step));
+    const auto add_a = [&](const char* name, const Side& columns, const Eigen::MatrixXd& value,
+                           const Eigen::MatrixXd& by, double step) {
+      add(name, motion_, columns, value, by.topRows(nv_), {a_floor, noise_of(sizes_.a, step)});
     };
-    pair("da_dq", "dlambda_dq", motion_, by_q_, dynamics_.da_dq(), dynamics_.dlambda_dq(),
-         q_step());
-    pair("da_dv", "dlambda_dv", motion_, by_v_, dynamics_.da_dv(), dynamics_.dlambda_dv(),
-         exact_step);
-    pair("da_dtau", "dlambda_dtau", torque_, by_tau_, dynamics_.da_dtau(), dynamics_.dlambda_dtau(),
-         exact_step);
+    const auto add_lambda = [&](const char* name, const Side& columns, const Eigen::MatrixXd& value,
+                                const Eigen::MatrixXd& by, double step) {
+      add(name, row_forces_, columns, value, by.middleRows(nv_, m_),
+          {lambda_floor, noise_of(sizes_.lambda, step)});
+    };
+    add_a("da_dq", motion_, dynamics_.da_dq(), by_q_, q_step());
+    add_lambda("dlambda_dq", motion_, dynamics_.dlambda_dq(), by_q_, q_step());
+    add_a("da_dv", motion_, dynamics_.da_dv(), by_v_, exact_step);
+    add_lambda("dlambda_dv", motion_, dynamics_.dlambda_dv(), by_v_, exact_step);
+    add_a("da_dtau", torque_, dynamics_.da_dtau(), by_tau_, exact_step);
+    add_lambda("dlambda_dtau", torque_, dynamics_.dlambda_dtau(), by_tau_, exact_step);
   }
 
   void add_inverse() {
@@ -171,12 +177,12 @@ class Blocks {
     const double noise = noise_of(sizes_.tau, exact_step);
     require(dynamics_.inverse_derivatives());
     const auto rows = [&](const Eigen::MatrixXd& by) { return by.middleRows(nv_ + m_, nv_); };
-    add("dtau_dq", torque_, motion_, dynamics_.dtau_dq(), rows(by_q_), floor,
-        noise_of(sizes_.tau, q_step()));
-    add("dtau_dv", torque_, motion_, dynamics_.dtau_dv(), rows(by_v_), floor, noise);
-    add("dtau_da", torque_, motion_, dynamics_.mass_matrix(), rows(by_a_), 1e-3 * floor, noise);
+    add("dtau_dq", torque_, motion_, dynamics_.dtau_dq(), rows(by_q_),
+        {floor, noise_of(sizes_.tau, q_step())});
+    add("dtau_dv", torque_, motion_, dynamics_.dtau_dv(), rows(by_v_), {floor, noise});
+    add("dtau_da", torque_, motion_, dynamics_.mass_matrix(), rows(by_a_), {1e-3 * floor, noise});
     add("dtau_dlambda", torque_, row_forces_, -dynamics_.jacobian().transpose(), rows(by_lambda_),
-        1e-3 * floor, noise);
+        {1e-3 * floor, noise});
   }
 
   void add_acceleration() {
@@ -185,10 +191,10 @@ class Blocks {
     const double noise = noise_of(sizes_.alpha, exact_step);
     require(dynamics_.acceleration_derivatives());
     const auto rows = [&](const Eigen::MatrixXd& by) { return by.bottomRows(m_); };
-    add("dalpha_dq", rows_, motion_, dynamics_.dalpha_dq(), rows(by_q_), floor,
-        noise_of(sizes_.alpha, q_step()));
-    add("dalpha_dv", rows_, motion_, dynamics_.dalpha_dv(), rows(by_v_), floor, noise);
-    add("dalpha_da", rows_, motion_, dynamics_.jacobian(), rows(by_a_), floor, noise);
+    add("dalpha_dq", rows_, motion_, dynamics_.dalpha_dq(), rows(by_q_),
+        {floor, noise_of(sizes_.alpha, q_step())});
+    add("dalpha_dv", rows_, motion_, dynamics_.dalpha_dv(), rows(by_v_), {floor, noise});
+    add("dalpha_da", rows_, motion_, dynamics_.jacobian(), rows(by_a_), {floor, noise});
   }
 
   ContactDynamics& dynamics_;

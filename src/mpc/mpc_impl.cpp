@@ -305,7 +305,10 @@ bool MpcController::Impl::replan() {
   // If the prediction fails, the plan starts at the measured state.
   if (delay > 0.0)
     (void)prediction_.advance(problem, horizon, planner_ ? in_use_ : policy,
-                              request_.now + ahead_.lead(), request_.schedule_time, delay, x_plan_);
+                              {.start = request_.now + ahead_.lead(),
+                               .schedule_start = request_.schedule_time,
+                               .duration = delay},
+                              x_plan_);
   if (!solve(request_.schedule_time + delay)) return false;
   const StateLayout& layout = problem.layout();
   const double at =

@@ -351,7 +351,7 @@ TEST(Prediction, Advance_FollowsThePolicy) {
   policy.take_over(0.0);
   Prediction prediction(plan.problem);
   Eigen::VectorXd x = plan.spec.problem.initial_state;
-  ASSERT_TRUE(prediction.advance(plan.problem, plan.horizon, policy, 0.0, 0.0, 0.03, x));
+  ASSERT_TRUE(prediction.advance(plan.problem, plan.horizon, policy, {.duration = 0.03}, x));
   // The prediction integrates positions with second order, plans with first order. They differ by
   // half a step of the acceleration.
   const Eigen::VectorXd planned = plan.solver.xs().row(3);
@@ -359,7 +359,7 @@ TEST(Prediction, Advance_FollowsThePolicy) {
   EXPECT_LT((x - planned).head(7).norm(), 0.01 * planned.tail(7).norm());
   // If the prediction fails, the state stays unchanged.
   Eigen::VectorXd broken = Eigen::VectorXd::Constant(14, std::nan(""));
-  EXPECT_FALSE(prediction.advance(plan.problem, plan.horizon, policy, 0.0, 0.0, 0.03, broken));
+  EXPECT_FALSE(prediction.advance(plan.problem, plan.horizon, policy, {.duration = 0.03}, broken));
   EXPECT_TRUE(broken.array().isNaN().all());
 }
 
