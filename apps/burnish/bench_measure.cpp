@@ -88,8 +88,8 @@ Eigen::VectorXd usable_posture(const BenchSpec& spec, std::string& name) {
   if (!spec.posture.empty())
     throw Error(
         "bench: at posture '" + name + "' the tool '" + spec.tool +
-        "' cannot press along world z: no joint moves it in this direction, or a joint moves "
-        "no mass; wanted another posture or tool");
+        "' cannot press along world z: no joint moves the tool in this direction, or a joint "
+        "moves no mass; wanted another posture or tool");
   for (const auto& [other, posture] : robot.postures) {
     const Eigen::VectorXd q = robot.posture(other);
     name = other;
@@ -105,8 +105,8 @@ Eigen::VectorXd usable_posture(const BenchSpec& spec, std::string& name) {
     if (can_press(robot.model, spec.tool, q)) return q;
   }
   throw Error("bench: the tool '" + spec.tool +
-              "' cannot press along world z at any posture tried: no joint moves it in this "
-              "direction, or a joint moves no mass; wanted another tool");
+              "' cannot press along world z at any posture tried: no joint moves the tool in "
+              "this direction, or a joint moves no mass; wanted another tool");
 }
 
 /// Measurement of contact dynamics, for single states and for packs of states.

@@ -121,7 +121,7 @@ void check_campaign(const Campaign& campaign, bool strict) {
     throw Error(
         fmt::format("--folder is for the experiment 'robots', not for '{}'", experiment.name));
   if (!campaign.folder.empty() && !campaign.robots.empty())
-    throw Error("--folder selects the robots; wanted neither --robot nor --tool beside it");
+    throw Error("--folder selects the robots; wanted --folder without --robot and --tool");
   if (!campaign.folder.empty()) (void)polishing::public_robots_in(campaign.folder);
   (void)polishing::ranges_named(campaign.ranges);
   if (experiment.name != "seeds" && !campaign.ranges.empty())

@@ -44,7 +44,9 @@ document::Reader contact_of(Pairs pairs, const std::string& name) {
     std::erase(pairs, Pairs::value_type{"reference", {"surface"}});
     for (const auto& [key, values] : pairs)
       if (key == "reference")
-        refuse(name, "key 'normal' is given without reference=surface; wanted both, or no normal");
+        refuse(name,
+               "key 'normal' is given without reference=surface; wanted reference=surface, or no "
+               "'normal'");
   }
   document::Builder tree(name, 1000);
   const auto key = [&](const char* text) { tree.add({.kind = Kind::Text, .text = text}); };

@@ -215,10 +215,10 @@ void check_tool(const Model& model, const std::string& tool) {
   if (!model.has_frame(tool))
     throw Error("--tool: the tool's frame " + pressing::none_of(model, tool, true));
   if (model.has_frame("tool") && tool != "tool")
-    throw Error(
-        fmt::format("--tool: the draft would add a frame 'tool', but robot '{}' already has one; "
-                    "wanted --tool tool",
-                    model.name));
+    throw Error(fmt::format(
+        "--tool: the draft would add a frame 'tool', but robot '{}' already has this frame; "
+        "wanted --tool tool",
+        model.name));
 }
 
 /// Returns the link that is most likely at the end of a body. Links with names such as "tcp" are

@@ -60,7 +60,7 @@ void check_options(const ExperimentArguments& a) {
   if (a.campaign.name == "standing" && !a.scheduler.empty())
     throw Error(
         "some runs of the experiment 'standing' depend on earlier runs, which --scheduler does not "
-        "support; wanted --shard, or neither");
+        "support; wanted --shard in place of --scheduler, or neither option");
   if (a.resume && a.out.empty())
     throw Error("--resume needs a folder to continue in; wanted --out DIR");
   if (!a.scheduler.empty() && (!a.shard.empty() || a.list || a.threads > 0 || a.force))
@@ -86,8 +86,8 @@ void check_resumed(const ExperimentArguments& a) {
   same.first_seed = a.campaign.first_seed;
   if (!(same == a.campaign))
     throw Error(
-        fmt::format("'{}' holds runs of `{}`; wanted the same options, except --seeds and "
-                    "--first-seed, or another folder",
+        fmt::format("'{}' holds runs of `{}`; wanted these options (only --seeds and "
+                    "--first-seed may differ), or another folder",
                     a.out, there->campaign.command()));
 }
 

@@ -300,7 +300,8 @@ int identify_command(const IdentifyArguments& a) {
   if (a.seeds > 0) return try_seeds(a, robot);
   if (a.data.empty())
     throw Error(
-        "no data; wanted DATA, the table of a recorded motion, or --excite, --simulate or --seeds");
+        "no data are given; wanted DATA (the table of a recorded motion), --excite, --simulate or "
+        "--seeds");
   return identify_file(a, robot);
 }
 

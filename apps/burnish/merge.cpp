@@ -28,8 +28,8 @@ CampaignFile campaign_in(const std::string& folder) {
                     folder, CampaignFile::name));
   if (file->version != program_version())
     throw Error(fmt::format(
-        "'{}' holds runs of burnish {}, but this is burnish {}; wanted runs of one version", folder,
-        file->version, program_version()));
+        "'{}' holds runs of burnish {}, but this is burnish {}; wanted runs of this version",
+        folder, file->version, program_version()));
   return *file;
 }
 
@@ -39,9 +39,9 @@ Campaign common_campaign(const std::vector<std::string>& folders) {
   const Campaign campaign = campaign_in(folders.front()).campaign;
   for (const std::string& folder : folders)
     if (const Campaign other = campaign_in(folder).campaign; !(other == campaign))
-      throw Error(
-          fmt::format("'{}' holds runs of `{}`, and '{}' of `{}`; wanted shards of one experiment",
-                      folder, other.command(), folders.front(), campaign.command()));
+      throw Error(fmt::format(
+          "'{}' holds runs of `{}`, but '{}' holds runs of `{}`; wanted shards of one experiment",
+          folder, other.command(), folders.front(), campaign.command()));
   return campaign;
 }
 

@@ -99,7 +99,8 @@ Json runs_in(const fs::path& file) {
   for (const Json& run : *runs)
     if (!run.is_object() || !run.contains("name") || !run["name"].is_string() ||
         !run.contains("series"))
-      throw Error(fmt::format("'{}' holds a run without name or series", file.string()));
+      throw Error(
+          fmt::format("'{}' holds a run without the key 'name' or 'series'", file.string()));
   return with_current_names(*runs);
 }
 

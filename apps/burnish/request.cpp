@@ -112,11 +112,10 @@ void read_contacts(const Reader& reader, const Eigen::VectorXd& q, EvalRequest& 
     const bool pulls = !spec.kp.isZero(0.0);
     if (!entry.has("target") && (pulls || request.compute.contains("contact_error")))
       entry.refuse(
-          std::string("key 'target' is missing, and ") +
+          std::string("key 'target' is missing, but ") +
           (pulls ? "kp is not 0" : "compute lists contact_error") +
-          "; wanted \"target\": \"here\" for the placement of the tool in the first state, "
-          "or \"target\": {\"xyz\": [0, 0, 0]} for the frame 'base', the default until version "
-          "0.2");
+          "; wanted \"target\": \"here\" (the placement of the tool in the first state) or "
+          "\"target\": {\"xyz\": [0, 0, 0]} (the frame 'base', the default until version 0.2)");
     request.contacts.push_back(spec);
   }
 }
@@ -134,7 +133,7 @@ void read_forces_in(const Reader& reader, EvalRequest& request) {
       if (taken == name &&
           (other.rotation != reference.rotation || other.quadric || reference.quadric))
         entry.refuse("two references have the name " + in_quotes(name) +
-                     "; wanted an object whose keys are different names of the references");
+                     "; wanted an object with a different key for each reference");
     request.forces_in.emplace_back(name, reference);
   };
   const bool is_reference = reader.has("origin") || reader.has("axes") || reader.has("surface") ||
@@ -166,9 +165,8 @@ std::string forces_of(const EvalRequest& request, const Reader& reader) {
   for (const Reader& state : states->entries())
     for (const char* key : {"a", "lambda"})
       if (state.has(key))
-        state[key].refuse(std::string("it is given, but the forces that compute lists do not "
-                                      "use it") +
-                          wanted);
+        state[key].refuse(
+            std::string("it is given, but \"forces\" in compute does not depend on it") + wanted);
   return "forward";
 }
 
@@ -219,7 +217,7 @@ EvalRequest read_request(const Reader& reader, RequestCache& shared) {
   }
   request.contacts = reader.named([&] { return with_loops(model, request.contacts); });
   if (compute && request.compute.contains("loop_inverse") && model.loops.empty())
-    compute->refuse("compute lists loop_inverse, and robot " + in_quotes(model.name) +
+    compute->refuse("compute lists loop_inverse, but robot " + in_quotes(model.name) +
                     " has no loops; wanted \"inverse\"");
   const ContactSet set(model, request.contacts);
   std::vector<std::string> v_names;
@@ -262,9 +260,9 @@ EvalRequests read_requests(const std::string& text, const std::string& source,
   result.is_list = reader.is_list();
   constexpr std::size_t max_requests = 1000;  // all robots are in memory at once
   if (result.is_list && reader.size() > max_requests) {
-    reader.refuse(
-        fmt::format("it has {} requests; wanted at most {}, each of which may have many states",
-                    reader.size(), max_requests));
+    reader.refuse(fmt::format(
+        "the list has {} requests; wanted at most {} (each request may have many states)",
+        reader.size(), max_requests));
   }
   const std::vector<Reader> entries = result.is_list ? reader.entries() : std::vector{reader};
   for (const Reader& entry : entries)

@@ -46,7 +46,8 @@ std::string with_entry(const std::string& text, const std::string& entry) {
     if (!lines[i].starts_with(key)) continue;
     if (!is_blank(lines[i].substr(key.size())))
       throw Error(
-          "the entries of the key 'postures' must be on lines below it; add this line by hand: " +
+          "the entries of the key 'postures' are on the same line as the key; move them to the "
+          "lines below it, and add this line by hand: " +
           entry);
     std::size_t next = i + 1, indent = 2;
     while (next < lines.size() && is_blank(lines[next])) ++next;

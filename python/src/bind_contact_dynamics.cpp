@@ -513,7 +513,9 @@ void bind_contacts(DynamicsClass& of) {
             const int number = contact_number(call, contact, self.names);
             self.evaluated = 0;
             if (self.machine.set_reference_rotation(number, rotation) != Status::Ok)
-              throw Error(std::string(call) + ": this is not a rotation matrix");
+              throw Error(
+                  std::string(call) +
+                  ": rotation is not a rotation matrix; wanted orthonormal rows and determinant 1");
           },
           py::arg("contact"), py::arg("rotation"), dynamics_rotation_doc)
       .def(
@@ -535,7 +537,7 @@ void bind_contacts(DynamicsClass& of) {
             const int number = contact_number(call, contact, self.names);
             self.evaluated = 0;
             if (self.machine.set_friction(number, coefficient) != Status::Ok)
-              throw Error(std::string(call) + ": the coefficient is " +
+              throw Error(std::string(call) + ": the friction coefficient is " +
                           std::to_string(coefficient) + "; wanted at least 0");
           },
           py::arg("contact"), py::arg("coefficient"), dynamics_friction_doc)

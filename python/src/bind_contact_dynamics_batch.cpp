@@ -117,15 +117,15 @@ struct Batch {
     if (given.rows() == rows && given.cols() == columns) return;
     throw Error(std::string(name) + ": " + argument + " is " + std::to_string(given.rows()) +
                 " x " + std::to_string(given.cols()) + "; wanted " + std::to_string(rows) + " x " +
-                std::to_string(columns) + ", a row per state");
+                std::to_string(columns) + ", one row per state");
   }
   Status run(const char* name, const Rows& q, const Rows& v, const Rows& tau, bool derivatives) {
     require_shape(name, "q", q, q.rows(), nq);
     require_shape(name, "v", v, q.rows(), nv);
     require_shape(name, "tau", tau, q.rows(), nv);
     if (q.rows() < 1 || q.rows() > machine.capacity())
-      throw Error(std::string(name) + ": " + std::to_string(q.rows()) +
-                  " states; wanted 1 to the capacity of " + std::to_string(machine.capacity()));
+      throw Error(std::string(name) + ": there are " + std::to_string(q.rows()) +
+                  " states; wanted 1 to " + std::to_string(machine.capacity()) + ", the capacity");
     const Busy::Lock lock(busy, name);
     const py::gil_scoped_release unlocked;
     states = static_cast<int>(q.rows());
@@ -225,7 +225,7 @@ void bind_results(BatchClass& of) {
             if (state < 0 || state >= self.states)
               throw Error("ContactDynamicsBatch.explanation: there is no state " +
                           std::to_string(state) + "; the last call had " +
-                          std::to_string(self.states));
+                          std::to_string(self.states) + " states");
             return self.machine.explanation(state);
           },
           py::arg("state"), batch_explanation_doc);

@@ -17,7 +17,7 @@ int contact_number(const char* what, const NumberOrName& contact,
   if (const int* number = std::get_if<int>(&contact)) {
     if (*number >= 0 && *number < count) return *number;
     throw Error(std::string(what) + ": there is no contact " + std::to_string(*number) +
-                "; the set has " + std::to_string(count));
+                "; the set has " + std::to_string(count) + " contacts");
   }
   const auto& name = std::get<std::string>(contact);
   const auto found = std::find(names.begin(), names.end(), name);

@@ -95,7 +95,7 @@ struct EstimatorMachine {
   BaseEstimator::Feet feet_of(const std::vector<bool>& standing) const {
     if (static_cast<int>(standing.size()) != estimator.feet())
       throw Error("BaseEstimator.update: standing has " + std::to_string(standing.size()) +
-                  " entries; wanted one per foot, " + std::to_string(estimator.feet()));
+                  " entries; wanted " + std::to_string(estimator.feet()) + ", one per foot");
     BaseEstimator::Feet feet = 0;
     for (std::size_t k = 0; k < standing.size(); ++k)
       if (standing[k]) feet |= BaseEstimator::Feet{1} << k;

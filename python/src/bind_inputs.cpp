@@ -127,10 +127,12 @@ void set_input_value(ProblemMachine& self, const Name& name, const Numbers& valu
   const auto accept = [&](Status status) {
     const std::string of = std::string(call) + ": input " + in_quotes(spec.name);
     if (status == Status::NotNormalized)
-      throw Error(of + ": the value is not a quaternion of length 1; wanted a rotation");
+      throw Error(
+          of + ": the value is not a quaternion of length 1; wanted a unit quaternion x, y, z, w");
     if (status == Status::NotFinite && entries.allFinite())
-      throw Error(of + " is " + number(entries[0]) +
-                  "; wanted a friction of at least 0, now and after the decay");
+      throw Error(
+          of + " is " + number(entries[0]) +
+          "; wanted a friction coefficient of at least 0, with and without the decaying part");
     require(status, call);
   };
   if (decaying.has_value() != decay_time.has_value())

@@ -534,7 +534,8 @@ void bind_look_up(py::class_<Model>& model) {
           "support",
           [](const Model& self, int body) {
             if (body < -1 || body >= static_cast<int>(self.joints.size()))
-              throw Error("support: there is no body " + std::to_string(body));
+              throw Error("support: there is no body " + std::to_string(body) +
+                          "; wanted the index of a body of the robot, or -1 for the world");
             const auto entries = self.support(body);
             return std::vector<int>(entries.begin(), entries.end());
           },

@@ -188,7 +188,8 @@ void bind_schedule(py::module_& m) {
           "start_of",
           [](const Schedule& self, int phase) {
             if (phase < 0 || phase >= static_cast<int>(self.phases().size()))
-              throw Error("Schedule.start_of: there is no phase " + std::to_string(phase));
+              throw Error("Schedule.start_of: there is no phase " + std::to_string(phase) +
+                          "; wanted an index into Schedule.phases");
             return self.start_of(phase);
           },
           py::arg("phase"), "Returns the planned start of a phase [s].")
@@ -201,7 +202,8 @@ void bind_schedule(py::module_& m) {
           "jump_to",
           [](Schedule& self, int phase) {
             if (phase < 0)
-              throw Error("Schedule.jump_to: there is no phase " + std::to_string(phase));
+              throw Error("Schedule.jump_to: there is no phase " + std::to_string(phase) +
+                          "; wanted at least 0");
             self.jump_to(phase);
           },
           py::arg("phase"), "Sets the clock to the start of a phase, at most of the last one.")
@@ -328,7 +330,9 @@ void bind_feedback_plan(py::module_& m) {
             const LinearFeedback sizes = self.make_feedback();
             if (xs.rows() <= self.knots() || xs.cols() != sizes.state.size() ||
                 machine.solver.us().cols() != sizes.feedforward.size())
-              throw Error("FeedbackPlan.load: the solver belongs to another problem");
+              throw Error(
+                  "FeedbackPlan.load: the solver belongs to another problem; wanted a solver of "
+                  "the problem that this FeedbackPlan was made for");
             self.load(machine.solver, time);
           },
           py::arg("solver"), py::arg("time"), plan_load_doc)

@@ -522,7 +522,8 @@ void bind_setting(py::module_& m) {
       [](const Task& task, const std::optional<Robot>& robot,
          const std::optional<Eigen::VectorXd>& q_start) {
         if (robot.has_value() != q_start.has_value())
-          throw Error("make_setting: one of robot and q_start is None; wanted both or neither");
+          throw Error(
+              "make_setting: only one of robot and q_start is given; wanted both or neither");
         return robot ? make_setting(task, *robot, *q_start) : make_setting(task);
       },
       py::arg("task"), py::arg("robot") = py::none(), py::arg("q_start") = py::none(),

@@ -151,7 +151,7 @@ struct Body {
     const int number = std::get<int>(of);
     if (number >= 0 && number <= frames) return number;
     throw Error("RigidBody." + std::string(name) + ": there is no frame " + std::to_string(number) +
-                "; the robot has " + std::to_string(frames));
+                "; the robot has " + std::to_string(frames) + " frames");
   }
 
   void update(const Vector& q, const std::optional<Eigen::VectorXd>& given,

@@ -24,7 +24,7 @@ py::object attribute(const py::object& object, const char* kind, const char* nam
   } catch (const py::error_already_set& error) {
     if (!error.matches(PyExc_AttributeError)) throw;
     throw Error(std::string(kind) + ": " + type_of(object) + " has no '" + name +
-                "'; wanted a burnish." + kind + " or an object with its attributes");
+                "'; wanted an object with the attributes of burnish." + kind);
   }
 }
 
@@ -149,8 +149,8 @@ class PlantPart::Adaptor final : public Plant {
     if (py::hasattr(object_, "wrenches")) return true;
     if (py::hasattr(object_, "contact_force_world"))
       throw Error("Plant: " + type_of(object_) +
-                  " has 'contact_force_world'; wanted 'wrenches', the wrenches on the touches of "
-                  "the scene in the axes of their frames, with shape (6, touches)");
+                  " has 'contact_force_world'; wanted 'wrenches' of shape (6, touches): the wrench "
+                  "on each touch of the scene, in the axes of the frame of the touch");
     return false;
   }
 

@@ -22,7 +22,8 @@ class NodeHandle {
 
   const NodeView& view() const {
     if (view_ == nullptr)
-      throw Error("NodeView: used after the call that received it; wanted a copy of its values");
+      throw Error(
+          "NodeView: a view is used after the call that received it; wanted a copy of the values");
     return *view_;
   }
   bool with_derivatives() const { return with_derivatives_; }

@@ -109,8 +109,8 @@ void bind_write(py::class_<Run>& of, const Write& write, const char* command) {
 #else
         static_cast<void>(std::tie(run, folder, name, page, plots, recording, record_every));
         throw Error(
-            "RunResult.write: this build has no fmt or nlohmann-json, which these files need; "
-            "trace.write_csv() and write_task() work in all builds");
+            "RunResult.write: this build lacks fmt or nlohmann-json; wanted a build with both "
+            "libraries, or trace.write_csv() and write_task()");
         return std::vector<std::string>();
 #endif
       },

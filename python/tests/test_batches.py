@@ -109,11 +109,11 @@ class TestBatches:
         batch = ContactDynamicsBatch(MODEL, [TIP], 10)
         q, v, tau = states(MODEL, 11)
         for given, sentence in [
-            ((q[:5, 1:], v[:5], tau[:5]), "q is 5 x 5; wanted 5 x 6, a row per state"),
-            ((q[:5], v[:4], tau[:5]), "v is 4 x 6; wanted 5 x 6, a row per state"),
-            ((q[:5], v[:5], tau[:5].T), "tau is 6 x 5; wanted 5 x 6, a row per state"),
-            ((q, v, tau), "11 states; wanted 1 to the capacity of 10"),
-            ((q[:0], v[:0], tau[:0]), "0 states; wanted 1 to the capacity of 10"),
+            ((q[:5, 1:], v[:5], tau[:5]), "q is 5 x 5; wanted 5 x 6, one row per state"),
+            ((q[:5], v[:4], tau[:5]), "v is 4 x 6; wanted 5 x 6, one row per state"),
+            ((q[:5], v[:5], tau[:5].T), "tau is 6 x 5; wanted 5 x 6, one row per state"),
+            ((q, v, tau), "there are 11 states; wanted 1 to 10, the capacity"),
+            ((q[:0], v[:0], tau[:0]), "there are 0 states; wanted 1 to 10, the capacity"),
         ]:
             with pytest.raises(burnish.Error, match="^ContactDynamicsBatch.forward: " + sentence):
                 batch.forward(*given)

@@ -200,7 +200,7 @@ class TestProcesses:
         assert files(out) == one_process
         refusal = burnish("experiment", *QUICK, 4, "--set", "force=20", "--scheduler", processes.address,
                           "--out", out, "--resume")
-        assert "wanted the same options" in refusal.stderr
+        assert "wanted these options" in refusal.stderr
 
     @long
     def test_killed_workers_and_scheduler_lose_nothing(self, processes, tmp_path):

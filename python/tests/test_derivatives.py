@@ -85,7 +85,7 @@ class TestContactDynamics:
             dynamics.forward(q, rest, rest)
         np.testing.assert_array_equal(made[0].lambda_, made[1].lambda_)
         assert made[0].force("tip").reference == Reference.centered(turn)
-        with pytest.raises(burnish.Error, match="this is not a rotation matrix"):
+        with pytest.raises(burnish.Error, match="rotation is not a rotation matrix"):
             made[0].set_reference_rotation("tip", 2.0 * turn)
 
     @pytest.mark.parametrize("reference", [Reference.local(), Reference.centered(),

@@ -78,22 +78,20 @@ ContactForce ContactForce::in(const Reference& other) const {
     return fixed_in(anchor, true, true, true, [&](const std::string&) { return anchor == own; });
   };
   if (!is_recorded(other.axes, reference.axes) || !is_recorded(other.origin, reference.origin))
-    throw Error(
-        "contact force of '" + contact + "': it was recorded without the pose of reference '" +
-        other.name() +
-        "'; wanted a reference at tool, base or world, or ContactDynamics::force, which computes "
-        "the force in any reference");
+    throw Error("the force of contact '" + contact +
+                "' was recorded without the pose of reference '" + other.name() +
+                "'; wanted a reference at tool, base or world (ContactDynamics::force computes the "
+                "force in any reference)");
   ContactForce result = *this;
   result.reference = other;
   if (other.quadric) {
     // A ContactForce contains no poses of bodies other than the base and the world.
     const bool of_base = other.axes == Anchor::Base;
     if (!of_base && other.axes != Anchor::World)
-      throw Error("contact force of '" + contact +
-                  "': it was recorded without the pose of the surface fixed to " +
-                  other.axes.text() +
-                  "; wanted a surface fixed to base or world, or ContactDynamics::force, which "
-                  "computes the force in any reference");
+      throw Error("the force of contact '" + contact +
+                  "' was recorded without the pose of the surface fixed to " + other.axes.text() +
+                  "; wanted a surface fixed to base or world (ContactDynamics::force computes the "
+                  "force in any reference)");
     const Eigen::Vector3d x =
         of_base ? Eigen::Vector3d(base_rotation.transpose() * (tool_position - base_position))
                 : tool_position;

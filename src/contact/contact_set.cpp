@@ -30,10 +30,9 @@ void check(const ContactSpec& spec) {
   const Reference& reference = spec.reference;
   reference.check("contact '" + spec.name + "'");
   if (reference.quadric && (reference.origin != Anchor::Tool || reference.axes != Anchor::Base))
-    throw Error(who +
-                "a contact on a curved surface needs a reference at the tool with axes of the "
-                "base, but its reference is '" +
-                reference.name() + "'; wanted a reference from Reference::on");
+    throw Error(who + "the reference with a curved surface is '" + reference.name() +
+                "'; wanted a reference at the tool with axes of the base, such as from "
+                "Reference::on");
   const Eigen::Matrix3d T = spec.target.linear();
   if (!spec.target.matrix().allFinite() ||
       (T.transpose() * T - Eigen::Matrix3d::Identity()).norm() > 1e-6 || T.determinant() < 0.0)
@@ -50,7 +49,7 @@ void check(const ContactSpec& spec) {
     throw Error(who + "the contact has friction, " +
                 (held.bits == 0 ? std::string("but none of its directions is a translation")
                                 : "and its directions of translation are " + held.text()) +
-                "; wanted exactly one of x, y and z, the direction in which the contact presses");
+                "; wanted exactly one of x, y and z (the direction in which the contact presses)");
 }
 
 std::vector<ContactSupport> influences(const Model& model, const CompiledContact& contact) {

@@ -74,8 +74,8 @@ std::vector<CheckSubject> sweep(const Model& model, const CheckOptions& options)
   }
   if (rows.empty())
     throw Error(
-        "check: the list of references and surfaces, of directions, of accelerations or of gains "
-        "is empty; wanted at least one entry in each list");
+        "check: one of these lists is empty: references and surfaces, directions, accelerations, "
+        "gains; wanted at least one entry in each list");
   return rows;
 }
 
@@ -156,9 +156,9 @@ CheckRow check_row(const Model& model, const CheckOptions& options, const CheckS
   }
   if (!states) {
     throw Error("check: contact '" + contacts.front().tool +
-                "': too few random postures can be checked: the tool's rotation must be within pi "
-                "- 0.1 rad of the target, and the surface's normal at the tool within 154 degrees "
-                "of the surface's normal at the start; wanted another target or surface");
+                "': too few random postures turn the tool by less than pi - 0.1 rad from the "
+                "target and the surface's normal at the tool by less than 154 degrees from the "
+                "normal at the start; wanted another target or surface");
   }
   CheckValues values(model, dynamics.contacts(), {.mu = row.mu});
   row.states = options.states;

@@ -14,7 +14,7 @@ PassiveJoints::PassiveJoints(const Model& model, double slip_velocity)
       slip(slip_velocity) {
   if (slip > 0.0 && std::isfinite(slip)) return;
   throw Error("slip_velocity is " + number(slip_velocity) +
-              "; wanted a positive number of rad/s or m/s");
+              "; wanted a positive number in rad/s or m/s");
 }
 
 }  // namespace burnish

@@ -96,7 +96,7 @@ Reference Reference::at(const Eigen::Vector3d& point) const {
     throw Error("the surface's normal at [" + number(point.x()) + ", " + number(point.y()) + ", " +
                 number(point.z()) +
                 "] is opposite to the normal of the reference, so the smallest rotation between "
-                "the two is not unique");
+                "these normals is not unique");
   Reference result = *this;
   result.quadric.reset();
   result.rotation = Eigen::Quaterniond::FromTwoVectors(n0, n).toRotationMatrix() * rotation;
@@ -203,8 +203,8 @@ CompiledReference compile_reference(const Model& model, const Reference& referen
                                     const CompiledFrame& tool, const CompiledFrame& base) {
   if (!reference.rotation_over_time.empty())
     throw Error(
-        "the reference's rotation changes over time, and only optimal control problems support "
-        "this; wanted the reference at one time, from Reference::at");
+        "the reference's rotation changes over time, which only optimal control problems support; "
+        "wanted the reference at one time, from Reference::at");
   if (reference.quadric && reference.axes == Anchor::Tool)
     throw Error(std::string(moves_with_tool));
   const Place origin = place_of(model, reference.origin, tool, base);

@@ -176,7 +176,7 @@ SurfaceShape SurfaceShape::parse(const std::string& text) {
     if (!number)
       throw Error(who + ": " + in_quotes(pieces[i + 1]) +
                   " is not a number; wanted numbers as in " + name +
-                  ":0.3, and ':hollow' at the end if the tool touches the inner side");
+                  ":0.3 (with ':hollow' at the end if the tool touches the inner side)");
     *numbers[i] = *number;
   }
   shape.check(who);
@@ -200,7 +200,8 @@ void SurfaceShape::check(const std::string& who) const {
     case Kind::Saddle:
       if (hollow)
         throw Error(what +
-                    ": a saddle cannot be hollow; wanted the signs of both curvatures changed");
+                    ": a saddle cannot be hollow; wanted a saddle with the signs of both "
+                    "curvatures changed");
       if (!curvature.allFinite())
         throw Error(what + ": its curvatures are not finite; wanted numbers in 1/m");
       return;

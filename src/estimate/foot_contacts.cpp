@@ -20,8 +20,8 @@ void check_noise(const FootContactOptions& options, double weight) {
   throw Error("foot contacts: force_noise of " + number(options.force_noise) +
               " N/sqrt(Hz), smoothed over " + number(options.smoothing) +
               " s, has a standard deviation of " + number(deviation) + " N; wanted at most " +
-              number(0.25 * gap) + " N, a quarter of the " + number(gap) +
-              " N between 'touch' and 'lift'");
+              number(0.25 * gap) + " N, a quarter of the difference between 'touch' and 'lift' (" +
+              number(gap) + " N)");
 }
 
 }  // namespace

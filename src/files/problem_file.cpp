@@ -91,7 +91,8 @@ void read_horizon(const Reader& reader, const std::vector<std::string>& known,
                        std::move_iterator(once.end()));
     } else {
       if (!entry.is_map())
-        entry.refuse("wanted a stage with its number of knots, such as 'press: 100'");
+        entry.refuse(
+            "it is not a stage with its number of knots; wanted an entry such as 'press: 100'");
       entry.allow_only(known);
       for (const auto& [stage, knots] : entry.items())
         horizon.push_back(read_segment(stage, knots));
@@ -139,7 +140,10 @@ void read_start(const Reader& reader, const Robot& robot, ProblemSpec& spec) {
 void set_torques(const std::optional<Reader>& given, const std::vector<std::string>& contacts,
                  const ProblemScope& scope, ProblemSpec& spec) {
   if (!spec.torque_model) {
-    if (given) given->refuse("torques are part of the state only with a 'torque_model'");
+    if (given)
+      given->refuse(
+          "torques are part of the state only with a 'torque_model'; wanted this key, or no "
+          "'torques'");
     return;
   }
   auto tau = spec.initial_state.segment(scope.model().nq + scope.model().nv, scope.controls());
@@ -160,7 +164,9 @@ void set_forces(const std::optional<Reader>& start, const std::vector<std::strin
   const auto given = start ? start->find("forces") : std::nullopt;
   const auto torques = start ? start->find("torques") : std::nullopt;
   if (spec.force_states.empty()) {
-    if (given) given->refuse("forces are part of the state only with 'force_states'");
+    if (given)
+      given->refuse(
+          "forces are part of the state only with 'force_states'; wanted this key, or no 'forces'");
     return;
   }
   const bool held = torques && is_hold(*torques);

@@ -110,7 +110,8 @@ HeldForces read_held_forces(const ProblemScope& scope, const std::vector<std::st
   for (const auto& [name, value] : reader["hold"].items()) {
     const ContactSpec& contact = reader["hold"].named(
         [&, &of = name]() -> const ContactSpec& { return ocp::contact_named(scope.spec, of); });
-    if (!holds(contacts, name)) value.refuse("the contact is not active in the stage");
+    if (!holds(contacts, name))
+      value.refuse("the contact is not active in the stage; wanted only active contacts");
     const int rows = contact.directions.count();
     forces[name] = value.is_number() ? Eigen::VectorXd::Constant(1, value.number())
                                      : Eigen::VectorXd(value.numbers(rows));

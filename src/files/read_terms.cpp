@@ -84,10 +84,10 @@ std::vector<CostTerm> read_costs(const ProblemScope& scope, const std::optional<
     }
     const auto base = shared ? shared->find(name) : std::nullopt;
     if (!base)
-      value.refuse(known.empty() ? "it has no 'type', and the file has no 'terms' with costs of "
-                                   "this name; wanted a cost with a 'type'"
-                                 : "it has no 'type', and the file's 'terms' have no cost of this "
-                                   "name; wanted a 'type', or a name from 'terms'" +
+      value.refuse(known.empty() ? "it has no 'type', and the file has no costs in 'terms'; "
+                                   "wanted a 'type'"
+                                 : "it has no 'type', and 'terms' has no cost of this name; "
+                                   "wanted a 'type', or the name of a cost in 'terms'" +
                                        did_you_mean(name, known));
     if (value.is_map()) {
       terms.push_back(read_cost(scope, contacts, name, base->changed_by(value)));

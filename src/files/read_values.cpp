@@ -19,7 +19,8 @@ Eigen::Matrix3d columns_of(const Reader& reader, std::vector<std::string> others
   const auto normal = reader.find("normal");
   if (!normal) return document::axes_in(reader);
   if (reader.has("rpy") || reader.has("quaternion") || reader.has("matrix"))
-    reader.refuse("key 'normal' excludes 'rpy', 'quaternion' and 'matrix'; wanted one of the four");
+    reader.refuse(
+        "key 'normal' excludes 'rpy', 'quaternion' and 'matrix'; wanted only one of these keys");
   return normal->named([&] { return Reference::surface_with_normal(normal->vector3()).rotation; });
 }
 
@@ -154,9 +155,9 @@ Reference read_reference(const Reader& reader, const Reference& otherwise,
     const auto axes = reader.find(kind);
     if (!axes) continue;
     if (reader.items().size() > 1)
-      reader.refuse("key '" + kind + "' excludes all other keys; wanted it alone");
+      reader.refuse("key '" + kind + "' excludes all other keys; wanted no other key");
     if (axes->has("normal") && (kind == "local" || axes->items().size() > 1))
-      axes->refuse("key 'normal' is possible only in 'surface', and excludes all other keys");
+      axes->refuse("key 'normal' is possible only in 'surface' and only without other keys");
     if (kind == "surface" && axes->is_map())
       if (const auto curved = read_curved(*axes)) return *curved;
     return turned(kind == "surface" ? Reference::parse(kind) : Reference::local(), *axes, {},

@@ -65,7 +65,8 @@ void check_constant(const InputSpec& spec) {
   spec.value.at(0.0, value);
   if (!value.allFinite()) refuse(spec.name, "the value holds a NaN or an infinity");
   if (spec.kind == InputKind::Rotation && !is_unit_quaternion(value))
-    refuse(spec.name, "the value is not a quaternion of length 1; wanted a rotation");
+    refuse(spec.name,
+           "the value is not a quaternion of length 1; wanted a unit quaternion x, y, z, w");
 }
 
 /// Throws Error if an inertia cannot act at its frame, or if another input loads the same body.

@@ -380,12 +380,12 @@ INSTANTIATE_TEST_SUITE_P(
                    "wanted {\"surface\": {\"normal\": [0, 0.2, 1]}}"},
         BadRequest{
             R"({"robot": "arm7", "contacts": [{"tool": "tool", "kp": 4}]})",
-            "contacts[0]: key 'target' is missing, and kp is not 0; wanted \"target\": \"here\""},
+            "contacts[0]: key 'target' is missing, but kp is not 0; wanted \"target\": \"here\""},
         BadRequest{R"({"robot": "arm7", "contacts": [{"tool": "tool", "kp": 4}]})",
                    "or \"target\": {\"xyz\": [0, 0, 0]} for the frame 'base'"},
         BadRequest{R"({"robot": "arm7", "contacts": {"tip": {"tool": "tool"}}, "compute":
                 "contact_error"})",
-                   "contacts.tip: key 'target' is missing, and compute lists contact_error"},
+                   "contacts.tip: key 'target' is missing, but compute lists contact_error"},
         BadRequest{
             R"({"robot": "arm7", "states": [{"q": {"joint_1": [{}]}}]})",
             "input: line 1: states[0].q.joint_1[0]: it is keys with values; wanted a number"},

@@ -193,7 +193,7 @@ TEST(ReportCommand, BadInput_IsRefusedInOneSentence) {
   refused(quoted(scratch.write("empty.json", R"({"format": "burnish-page/1", "runs": []})")),
           "holds no run");
   refused(quoted(scratch.write("odd.json", R"({"format": "burnish-page/1", "runs": [3]})")),
-          "holds a run without name or series");
+          "holds a run without the key 'name' or 'series'");
   refused("", "RUN");
   EXPECT_FALSE(fs::exists(scratch.folder / "page.html"));
 }

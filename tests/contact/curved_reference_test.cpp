@@ -62,7 +62,7 @@ TEST(Quadric, InvalidShapeOrUse_IsRefused) {
   reference.axes = Anchor::World;
   const Model model = robot("arm7");
   refused([&] { return ContactDynamics(model, {contact("tool", "world", reference)}); },
-          "needs a reference at the tool with axes of the base");
+          "wanted a reference at the tool with axes of the base");
   ContactDynamics dynamics(model, {contact("tool")});
   dynamics.acceleration(Eigen::VectorXd::Zero(7), Eigen::VectorXd::Zero(7),
                         Eigen::VectorXd::Zero(7));

@@ -400,8 +400,8 @@ TEST(DerivativeCheck, InvalidOption_IsRefused) {
             "check: tolerance is nan; wanted a positive number");
   EXPECT_EQ(
       sentence([](auto& o) { o.references.clear(); }),
-      "check: the list of references and surfaces, of directions, of accelerations or of gains "
-      "is empty; wanted at least one entry in each list");
+      "check: one of these lists is empty: references and surfaces, directions, accelerations, "
+      "gains; wanted at least one entry in each list");
   EXPECT_NE(sentence([](auto& o) { o.tool = "tol"; }).find("did you mean 'tool'?"),
             std::string::npos);
   EXPECT_NE(sentence([](auto& o) { o.base = "wrld"; }).find("'wrld'"), std::string::npos);

@@ -198,8 +198,8 @@ TEST(SurfaceShape, Text_IsParsedAndInvalidTextIsRefused) {
           "there is no shape 'spere'; wanted a shape such as sphere:0.3; did you mean 'sphere'?");
   refused("sphere:1:2", "sphere is followed by 2 numbers; wanted 1 or none");
   refused("cylinder:wide",
-          "'wide' is not a number; wanted numbers as in cylinder:0.3, and ':hollow' at the end if "
-          "the tool touches the inner side");
+          "'wide' is not a number; wanted numbers as in cylinder:0.3 (with ':hollow' at the end if "
+          "the tool touches the inner side)");
   refused("sphere:0", "sphere: its radius is 0 m; wanted a positive number");
   refused("plane:hollow", "plane: a plane cannot be hollow");
 }

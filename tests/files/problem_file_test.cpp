@@ -405,7 +405,7 @@ TEST_F(ProblemFiles, BadFiles_AreRefusedWithTheirPlace) {
        "",
        {"'press' has a duration of 9 s with 5 knots", "0.01 s", "0.31 s"}},
       {"- press: 5", "- press: 2.5", "", {"it is 2.5; wanted a whole number"}},
-      {"- press: 5", "- press", "", {"horizon[0]: wanted a stage with its number of knots"}},
+      {"- press: 5", "- press", "", {"horizon[0]: it is not a stage with its number of knots"}},
       {"posture: 7", "force: {type: contact_force, contact: pad}", "", {"terminal, term 'force'"}},
       {"", "", "solver: {max_iteration: 3}\n", {"solver:", "did you mean 'max_iterations'?"}},
       {"",
