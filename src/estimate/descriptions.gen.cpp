@@ -74,11 +74,10 @@ const Description& description_of(const UnitWatchOptions* /*of*/) {
                  "Time of agreement with the feet after which a faulty IMU is used again [{s}]",
                  {.least = 0, .open = true})
           .field("decay_time", &S::decay_time,
-                 "Decay time of the jump in the estimate when the IMU is no longer used after a "
-                 "fault [{s}]",
+                 "Decay time of the offset that prevents a jump of the estimate when the IMU "
+                 "fails [{s}]",
                  {.least = 0, .open = true})
-          .more("The jump is the difference between the last estimate and the estimate from the "
-                "feet.");
+          .more("The offset is the last estimate minus the estimate from the feet.");
   return all;
 }
 
@@ -279,7 +278,7 @@ const Description& description_of(const TouchSensor* /*of*/) {
                  "Frame of the touch")
           .field("sensor", &S::sensor,
                  "Components that the controller reads")
-          .more("Automatic: the force on the tool of the controller, force and moment on other "
+          .more("Automatic: only the force on the controller's tool; force and moment on other "
                 "touches");
   return all;
 }
@@ -298,7 +297,7 @@ const Description& description_of(const Measurement* /*of*/) {
           .field("tau", &S::tau,
                  "Joint torques measured between motor and link, nv entries [{Nm (N)}]")
           .field("wrenches", &S::wrenches,
-                 "Measured wrenches by surfaces on the robot, one column per entry of "
+                 "Measured wrenches that surfaces exert on the robot, one column per entry of "
                  "Controller.touches: force (N), then moment (Nm)")
           .more("Each entry names the frame of a tool or foot. Moments are about the origin of "
                 "this frame. Force and moment are in the axes of this frame and exclude the "

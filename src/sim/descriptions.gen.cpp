@@ -176,7 +176,7 @@ const Description& description_of(const Disturbances* /*of*/) {
           .more("Each joint's torque is multiplied by 1 + r, where r is random and |r| <= "
                 "torque_scale_range")
           .field("torque_scale", &S::torque_scale,
-                 "Torque scale of each joint, nv entries (none, or empty: random scales)")
+                 "Torque scale of each joint, nv entries (`none` or empty: random scales)")
           .word("none")
           .field("torque_bias_range", &S::torque_bias_range,
                  "Largest random torque bias of a joint [{Nm}]",
@@ -184,7 +184,7 @@ const Description& description_of(const Disturbances* /*of*/) {
           .more("A random constant b with |b| <= torque_bias_range is added to each joint's "
                 "torque")
           .field("torque_bias", &S::torque_bias,
-                 "Torque bias of each joint, nv entries (none, or empty: random biases) [{Nm}]")
+                 "Torque bias of each joint, nv entries (`none` or empty: random biases) [{Nm}]")
           .word("none")
           .field("torque_noise", &S::torque_noise,
                  "Standard deviation of the torque noise [{Nm}]",
@@ -243,24 +243,24 @@ const Description& description_of(const Disturbances* /*of*/) {
                  "[{rad/s}]",
                  {.least = 0})
           .field("force_noise", &S::force_noise,
-                 "Standard deviation of the noise of sensors that measure only the force, per "
+                 "Standard deviation of force noise in sensors that measure only the force, per "
                  "axis [{N}]",
                  {.least = 0})
-          .more("Unless a scene states other sensors, these are the sensors of tools. The axes "
-                "are those of the touch's frame")
+          .more("Tools have such sensors, unless the scene states other sensors. The axes are "
+                "those of the frame at the sensor")
           .field("force_cutoff", &S::force_cutoff,
                  "Cut-off of the low-pass filter on measured forces and moments (0: no filter) "
                  "[{rad/s}]",
                  {.least = 0})
           .more("Noise is added before the filter")
           .field("support_force_noise", &S::support_force_noise,
-                 "Standard deviation of the force noise of sensors of force and moment, per axis "
+                 "Standard deviation of force noise in sensors of force and moment, per axis "
                  "[{N}]",
                  {.least = 0})
           .more("The noise passes the low-pass filter with the cut-off force_cutoff")
           .field("support_moment_noise", &S::support_moment_noise,
-                 "Standard deviation of the moment noise of sensors of force and moment, per axis"
-                 " [{Nm}]",
+                 "Standard deviation of moment noise in sensors of force and moment, per axis "
+                 "[{Nm}]",
                  {.least = 0})
           .more("The noise passes the low-pass filter with the cut-off force_cutoff")
           .group("Errors of the inertial measurement unit, if there is one. Noise densities are "
@@ -295,8 +295,8 @@ const Description& description_of(const Disturbances* /*of*/) {
           .field("imu_faults", &S::imu_faults,
                  "Faults of the inertial measurement unit; in files: [{start: s, duration: s, "
                  "gyro_offset: [x, y, z] in rad/s, accelerometer_offset: [x, y, z] in m/s^2, "
-                 "frozen: true, silent: true}, ...]. Offsets are in the unit's axes. Keys left "
-                 "out are off. A fault without a duration lasts forever")
+                 "frozen: true, silent: true}, ...]. Offsets are in the unit's axes. A key that "
+                 "is left out has no effect. A fault without a duration lasts forever")
           .group("Differences in the plant's model and scene, applied by plant_model() and "
              "plant_scene().")
           .field("mass_scale", &S::mass_scale,
@@ -318,12 +318,12 @@ const Description& description_of(const Disturbances* /*of*/) {
                  {.least = 0, .open = true})
           .more("Lengths of the surface's shape are divided by this factor")
           .field("surface_shape", &S::surface_shape,
-                 "Shape of the plant's surface (none: as the controller assumes)")
+                 "Shape of the plant's surface (`none`: as the controller assumes)")
           .word("none")
           .field("surface_motion", &S::surface_motion,
                  "Motion of the plant's surface along its normal")
           .field("surface_friction", &S::surface_friction,
-                 "Coulomb friction coefficient of the plant's surface (none: as the controller "
+                 "Coulomb friction coefficient of the plant's surface (`none`: as the controller "
                  "assumes)",
                  {.least = 0})
           .word("none")
@@ -465,8 +465,8 @@ const Description& description_of(const TouchSpec* /*of*/) {
           .field("surface", &S::surface,
                  "Surface that the part touches")
           .field("is_support", &S::is_support,
-                 "Whether the robot stands on this part or leans on it, as on a foot; otherwise "
-                 "it is a tool")
+                 "Whether the part is a support, on which the robot stands or leans; if false, it"
+                 " is a tool")
           .more("A rectangle must be a support. The surface of a support must be a plane that is "
                 "fixed in the world and has an infinite `extent`")
           .field("sensor", &S::sensor,

@@ -50,8 +50,8 @@ const Description& description_of(const RequiredMargins* /*of*/) {
   using S = RequiredMargins;
   static const Description all =
       Describe<S>("polishing", "RequiredMargins",
-                  "Stability margins that the gains from fit_gains() must have, in a control loop"
-                  " that already contains the usual delays and filters.")
+                  "Stability margins that a control loop must have with the gains from "
+                  "fit_gains(). The loop already contains the usual delays and filters.")
           .field("delay", &S::delay,
                  "Extra delay of commands that the control loop must tolerate [{s}]",
                  {.least = 0})
@@ -297,8 +297,8 @@ const Description& description_of(const RestingHand* /*of*/) {
                   "Second hand of a standing robot. The hand rests on a plane that is fixed in "
                   "the world. It is in contact from the starting posture on, in all phases.")
           .field("frame", &S::frame,
-                 "Frame of the resting hand; its origin is the centre of the round tip (none: no "
-                 "hand rests)")
+                 "Frame of the resting hand; its origin is the centre of the round tip (`none`: "
+                 "no hand rests)")
           .word("none")
           .field("force", &S::force,
                  "Normal force that the hand rests with [{N}]",
@@ -384,7 +384,7 @@ const Description& description_of(const Verdict* /*of*/) {
                  "Smallest allowed time in contact, as a fraction of the whole time",
                  {.least = 0, .most = 1})
           .field("force_rmse", &S::force_rmse,
-                 "Allowed rms force error, as a fraction of the task's force (never: no limit)",
+                 "Allowed rms force error, as a fraction of the task's force (`never`: no limit)",
                  {.least = 0, .open = true, .infinite = true})
           .more("The force is averaged over 10 ms. The word `never` stands for infinite. For a "
                 "resting hand, the allowed error is this fraction of rest.force.")
@@ -405,7 +405,7 @@ const Description& description_of(const Task* /*of*/) {
                   "Task of polishing a surface along a path. The members are the keys of a task "
                   "file, with their defaults.")
           .field("robot", &S::robot,
-                 "Name, folder or settings file of the robot, optionally with :variant")
+                 "Name, folder or settings file of the robot, optionally followed by `:variant`")
           .field("posture", &S::posture,
                  "Starting posture: a name from the robot's settings, or `search` (find one for "
                  "the surface)")
@@ -464,7 +464,7 @@ const Description& description_of(const Task* /*of*/) {
           .key("point")
           .word("under_tool")
           .field("extent", &S::extent,
-                 "Width of the surface beyond the path on all four sides (endless: no edges) "
+                 "Width of the surface beyond the path on all four sides (`endless`: no edges) "
                  "[{m}]",
                  {.least = 0, .infinite = true})
           .more("The surface is a square about the path's origin. Its half side is the largest "
@@ -548,8 +548,8 @@ const Description& description_of(const Task* /*of*/) {
                  "Rate of torque commands [{Hz}]",
                  {.least = 0, .open = true})
           .field("timing", &S::timing,
-                 "When a new plan is used: fixed (after solver_delay), measured (after its "
-                 "computing time) or thread")
+                 "Rule for when a new plan is used: `fixed` (after solver_delay), `measured` "
+                 "(after its computing time) or `thread`")
           .more("With `measured`, a simulation delays the plan by its computing time. With "
                 "`thread`, a separate thread computes plans, and a plan is used as soon as it is "
                 "ready.")
@@ -591,7 +591,7 @@ const Description& description_of(const Task* /*of*/) {
                  "Use the force sensor; false: estimate the force from torques and joint motion")
           .more("The estimated force is relative to its value in free air just before contact.")
           .field("axes", &S::axes,
-                 "Axes of contact and force: surface, local (fixed to the tool) or world")
+                 "Axes of contact and force: `surface`, `local` (fixed to the tool) or `world`")
           .field("weights", &S::weights,
                  "Cost weights; each cost is integrated over the horizon, with time in s. Only "
                  "ratios of weights matter.\nA larger weight reduces the error of its own term "

@@ -13,7 +13,7 @@ const Description& description_of(const Task* /*of*/) {
                   "Task of pressing at a point while the rest of the arm moves aside. The members"
                   " are the keys of a task file, with their defaults.")
           .field("robot", &S::robot,
-                 "Name, folder or settings file of the robot, optionally with :variant")
+                 "Name, folder or settings file of the robot, optionally followed by `:variant`")
           .field("posture", &S::posture,
                  "Starting posture: a name from the robot's settings, or `search` (find one for "
                  "the surface)")
@@ -50,8 +50,8 @@ const Description& description_of(const Task* /*of*/) {
           .more("The normal points out of the material. It need not have unit length.")
           .key("normal")
           .field("extent", &S::extent,
-                 "Distance from the pressed point to the surface's four edges (endless: no edges)"
-                 " [{m}]",
+                 "Distance from the pressed point to the surface's four edges (`endless`: no "
+                 "edges) [{m}]",
                  {.least = 0, .open = true, .infinite = true})
           .more("The word `endless` stands for infinite; the surface is then a whole plane.")
           .word("endless")

@@ -95,7 +95,8 @@ const Description& description_of(const HomeSpec* /*of*/) {
                   "Home posture, in which a run begins. The robot moves from home to the start of"
                   " its task.")
           .field("posture", &S::posture,
-                 "Named posture in which the run begins (none: the starting posture of the task)")
+                 "Named posture in which the run begins (`none`: the starting posture of the "
+                 "task)")
           .word("none")
           .field("joints", &S::joints,
                  "Joint positions that differ from the named posture, in rad (m): {joint: "
@@ -194,8 +195,7 @@ const Description& description_of(const ImpedanceSpec* /*of*/) {
           .field("gains", &S::gains,
                  "Gains on position, force and posture")
           .field("friction", &S::friction,
-                 "Friction coefficient of the surface for a feedforward force along the path's "
-                 "velocity",
+                 "Friction coefficient that the feedforward of friction along the path assumes",
                  {.least = 0});
   return all;
 }
@@ -256,8 +256,8 @@ const Description& description_of(const PressingPath* /*of*/) {
   static const Description all =
       Describe<S>("sim", "PressingPath",
                   "Task of a controller that makes no plans, in three phases: approach the "
-                  "surface until contact, ramp up the force, then follow the path. In the "
-                  "enumeration Phase, they are called Approach, Ramp and Track.")
+                  "surface until contact, ramp up the force, then follow the path. These phases "
+                  "are Approach, Ramp and Track in the enumeration Phase.")
           .field("tool", &S::tool,
                  "Frame of the tool; its origin follows the path")
           .field("normal_world", &S::normal_world,
@@ -325,8 +325,8 @@ const Description& description_of(const ToolLimits* /*of*/) {
           .field("late_contact_travel", &S::late_contact_travel,
                  "Largest travel along the normal after the planned time of contact [{m}]",
                  {.least = 0, .open = true, .infinite = true})
-          .more("The limit is the largest distance of the surface behind its assumed position. "
-                "The travel counts from the time when the schedule's clock stops and waits for "
+          .more("A surface farther than this behind its assumed position is not reached. The "
+                "travel counts from the time when the schedule's clock stops and waits for "
                 "contact. The clock stops SchedulePhase.hold seconds before the planned contact.")
           .field("late_contact_time", &S::late_contact_time,
                  "Longest wait for contact after the planned time of contact [{s}]",
@@ -509,8 +509,8 @@ const Description& description_of(const ReachReport* /*of*/) {
           .field("tightest_torque", &S::tightest_torque,
                  "Joint with the largest static torque, as a fraction of its effort limit")
           .field("force_per_torque", &S::force_per_torque,
-                 "Error of the estimated force per error of the joint torques, as standard "
-                 "deviations [{1/m}]")
+                 "Standard deviation of the estimated force per standard deviation of joint "
+                 "torques [{1/m}]")
           .more("The force along the normal is estimated from joint torques with independent "
                 "errors. The value, in N per Nm, is the largest of all points on the surface. It "
                 "matters for tasks without a force sensor.")
@@ -609,9 +609,9 @@ const Description& description_of(const Standing* /*of*/) {
                   "each foot. The plant's ground can push a foot but not pull it, and has "
                   "friction.")
           .field("feet", &S::feet,
-                 "Frames of the feet (auto: found in the robot's description; empty: the base is "
-                 "fixed)")
-          .more("With auto, the sizes of the feet also come from the description.")
+                 "Frames of the feet (`auto`: found in the robot's description; empty: the base "
+                 "is fixed)")
+          .more("With `auto`, the sizes of the feet also come from the description.")
           .word("auto")
           .field("half_x", &S::half_x,
                  "Half the length of a planar foot along x of its frame (0: point feet) [{m}]",
@@ -660,7 +660,8 @@ const Description& description_of(const Standing* /*of*/) {
                  {.least = 0})
           .more("The target is the orientation at the start, unless the task moves the target.")
           .field("momentum", &S::momentum,
-                 "Weight on momentum about the centre of mass {per (kg m/s)^2 and (kg m^2/s)^2}",
+                 "Weight on centroidal momentum, linear and angular {per (kg m/s)^2 and (kg "
+                 "m^2/s)^2}",
                  {.least = 0})
           .field("internal_forces", &S::internal_forces,
                  "Weight on tangential forces and yaw moments of each foot [{1/N^2}]",

@@ -142,7 +142,7 @@ const Description& description_of(const Task* /*of*/) {
                   "Task of pushing with both hands against a wall. The members are the keys of a "
                   "task file, with their defaults.")
           .field("robot", &S::robot,
-                 "Name, folder or settings file of the robot, optionally with :variant")
+                 "Name, folder or settings file of the robot, optionally followed by `:variant`")
           .field("posture", &S::posture,
                  "Starting posture, a name from the robot's settings")
           .more("If empty, the robot's default posture is used.")

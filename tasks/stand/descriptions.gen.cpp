@@ -62,7 +62,7 @@ const Description& description_of(const Task* /*of*/) {
                   "Task of standing on the feet while the trunk sways. The members are the keys "
                   "of a task file, with their defaults.")
           .field("robot", &S::robot,
-                 "Name, folder or settings file of the robot, optionally with :variant")
+                 "Name, folder or settings file of the robot, optionally followed by `:variant`")
           .field("posture", &S::posture,
                  "Starting posture: a name from the robot's settings, or `search` (find one with "
                  "bent legs)")
