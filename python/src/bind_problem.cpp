@@ -220,29 +220,27 @@ Eigen::VectorXd control_at(const Problem& problem, const char* call, int knot, c
   return *u;
 }
 
-/// Vector, or rows of vectors, with `size` entries each.
-struct Vectors {
-  const Numbers& numbers;
-  int size;
+/// Entries of a row of each array.
+struct RowSizes {
+  int a, b, result;
 };
 
-/// Calls f(vector of a, vector of b, vector of the result) for one state or for rows of states.
+/// Calls f(row of a, row of b, row of the result) for one state or for rows of states.
 template <class Function>
-py::array_t<double> by_rows(const char* call, const Vectors& of_a, const Vectors& of_b, int size,
-                            Function&& f) {
-  const Numbers &a = of_a.numbers, &b = of_b.numbers;
+py::array_t<double> by_rows(const char* call, const Numbers& a, const Numbers& b,
+                            const RowSizes& sizes, Function&& f) {
   const bool rows = a.ndim() == 2 && b.ndim() == 2 && a.shape(0) == b.shape(0);
   if (!rows && (a.ndim() != 1 || b.ndim() != 1))
     throw Error(
         std::string(call) +
         ": the arrays do not match; wanted two vectors, or two arrays with equal numbers of rows");
-  check_size(call, "a row of the first array", a.shape(a.ndim() - 1), of_a.size);
-  check_size(call, "a row of the second array", b.shape(b.ndim() - 1), of_b.size);
+  check_size(call, "a row of the first array", a.shape(a.ndim() - 1), sizes.a);
+  check_size(call, "a row of the second array", b.shape(b.ndim() - 1), sizes.b);
   const py::ssize_t count = rows ? a.shape(0) : 1;
-  py::array_t<double> result(rows ? std::vector<py::ssize_t>{count, size}
-                                  : std::vector<py::ssize_t>{size});
+  py::array_t<double> result(rows ? std::vector<py::ssize_t>{count, sizes.result}
+                                  : std::vector<py::ssize_t>{sizes.result});
   for (py::ssize_t i = 0; i < count; ++i)
-    f(a.data() + i * of_a.size, b.data() + i * of_b.size, result.mutable_data() + i * size);
+    f(a.data() + i * sizes.a, b.data() + i * sizes.b, result.mutable_data() + i * sizes.result);
   return result;
 }
 
@@ -603,7 +601,7 @@ void bind_arithmetic(ProblemClass& c) {
        "integrate",
        [](const ProblemMachine& self, const Numbers& x, const Numbers& dx) {
          const StateLayout& l = self.problem.layout();
-         return by_rows("Problem.integrate", {x, l.nx()}, {dx, l.ndx()}, l.nx(),
+         return by_rows("Problem.integrate", x, dx, {.a = l.nx(), .b = l.ndx(), .result = l.nx()},
                         [&](const double* a, const double* b, double* out) {
                           self.problem.integrate(a, b, out);
                         });
@@ -613,7 +611,8 @@ void bind_arithmetic(ProblemClass& c) {
           "difference",
           [](const ProblemMachine& self, const Numbers& x0, const Numbers& x1) {
             const StateLayout& l = self.problem.layout();
-            return by_rows("Problem.difference", {x0, l.nx()}, {x1, l.nx()}, l.ndx(),
+            return by_rows("Problem.difference", x0, x1,
+                           {.a = l.nx(), .b = l.nx(), .result = l.ndx()},
                            [&](const double* a, const double* b, double* out) {
                              self.problem.difference(a, b, out);
                            });

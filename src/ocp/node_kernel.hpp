@@ -50,7 +50,10 @@ class NodeKernel {
   /// Evaluates one term at the point of the last evaluate_dynamics(), with the same targets.
   /// `times` is KnotTime::times.
   void residual_at(const CompiledStage& stage, const CompiledTerm& term, const S* targets,
-                   const double* times, const ResidualOutput<S>& out);
+                   const double* times, const ResidualOutput<S>& out) {
+    if (out.J != nullptr) dynamics_.derivatives(stage);
+    residual(stage, term, targets, times, out);
+  }
   const StageDynamics<S>& dynamics() const { return dynamics_; }
 
   std::vector<S> next;            ///< Next state, nx entries

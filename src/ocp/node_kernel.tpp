@@ -74,14 +74,6 @@ void NodeKernel<S>::residual(const CompiledStage& stage, const CompiledTerm& ter
 }
 
 template <class S>
-void NodeKernel<S>::residual_at(const CompiledStage& stage, const CompiledTerm& term,
-                                const S* targets, const double* times,
-                                const ResidualOutput<S>& out) {
-  if (out.J != nullptr) dynamics_.derivatives(stage);
-  residual(stage, term, targets, times, out);
-}
-
-template <class S>
 void NodeKernel<S>::load(const CompiledStage& stage, const S* targets, const KnotTime<S>& when) {
   dynamics_.turn(stage, targets);
   dynamics_.set_step(when.per_second, when.step_ratio, when.decaying);

@@ -174,21 +174,10 @@ int partial_cholesky(double* y, int stride, int nu, Range columns, double* inver
 }
 
 void solve_gains(const Factor& factor, Rows z, int nu, int n, MutableRows x) {
-  const auto [r, stride, inverse_diagonal] = factor;
-  for (int last = nu; last > 0;) {
-    const int first = (last - 1) / detail::tile_rows * detail::tile_rows;
-    const MutableRows block{x.data + first * x.stride, x.stride};
-    for (int i = first; i < last; ++i)
-      for (int c = 0; c < n; c += lanes)
-        store(x.data + i * x.stride + c, -load(z.data + i * z.stride + c));
-    if (last < nu)
-      product<Update::Subtract, false>({r + first * stride + last, 1, stride},
-                                       {x.data + last * x.stride, x.stride}, nu - last,
-                                       last - first, n, block);
-    back_by_rows[last - first - 1](r + first * stride + first, stride, inverse_diagonal + first,
-                                   block.data, block.stride, n);
-    last = first;
-  }
+  for (int i = 0; i < nu; ++i)
+    for (int c = 0; c < n; c += lanes)
+      store(x.data + i * x.stride + c, -load(z.data + i * z.stride + c));
+  solve_upper(factor, nu, n, x);
 }
 
 void solve_upper(const Factor& factor, int nu, int n, MutableRows x) {
