@@ -384,7 +384,7 @@ const Description& description_of(const Verdict* /*of*/) {
                  "Smallest allowed time in contact, as a fraction of the whole time",
                  {.least = 0, .most = 1})
           .field("force_rmse", &S::force_rmse,
-                 "Allowed rms force error, as a fraction of the task's force (`never`: no limit)",
+                 "Allowed rms force error as a fraction of the task's force (`never`: no limit)",
                  {.least = 0, .open = true, .infinite = true})
           .more("The force is averaged over 10 ms. The word `never` stands for infinite. For a "
                 "resting hand, the allowed error is this fraction of rest.force.")

@@ -55,8 +55,7 @@ struct FreeHome {
 };
 /// Returns the named postures from which check_home() finds no problem. Postures with a shorter
 /// motion to the task's start come first. The task's starting posture is left out. The list is
-/// empty if the robot stands on its feet or carries the surface, because such a task cannot have a
-/// home.
+/// empty if the robot stands on its feet or carries the surface; such tasks cannot have a home.
 std::vector<FreeHome> free_homes(const Task& task, const Setting& setting,
                                  const ReachOptions& options = {});
 

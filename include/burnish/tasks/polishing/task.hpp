@@ -117,8 +117,7 @@ struct Weights {
 struct Verdict {
   /// Smallest allowed time in contact, as a fraction of the whole time, 0 to 1
   double contact_share = 0.99;
-  /// Allowed rms force error, as a fraction of the task's force (`never`: no limit), > 0 or
-  /// infinite
+  /// Allowed rms force error as a fraction of the task's force (`never`: no limit), > 0 or infinite
   /// @more The force is averaged over 10 ms. The word `never` stands for infinite. For a resting
   /// hand, the allowed error is this fraction of rest.force.
   double force_rmse = 0.1;
