@@ -106,7 +106,7 @@ Eigen::VectorXd usable_posture(const BenchSpec& spec, std::string& name) {
   }
   throw Error("bench: the tool '" + spec.tool +
               "' cannot press along world z at any posture tried: no joint moves the tool in "
-              "this direction, or a joint moves no mass; wanted another tool");
+              "this direction, or the mass matrix is singular; wanted another tool");
 }
 
 /// Measurement of contact dynamics, for single states and for packs of states.

@@ -159,7 +159,7 @@ std::string forces_of(const EvalRequest& request, const Reader& reader) {
       "; wanted \"inverse\" in compute for the forces that a and lambda require, or \"forward\" "
       "for the forces that tau causes";
   if (wants("acceleration") || wants("acceleration_derivatives"))
-    reader.refuse("compute has \"forces\", but \"acceleration\" does not compute forces" + wanted);
+    reader.refuse("\"compute\" lists \"forces\", which \"acceleration\" does not compute" + wanted);
   const auto states = reader.find("states");
   if (!states || !states->is_list()) return "forward";
   for (const Reader& state : states->entries())

@@ -200,8 +200,8 @@ void SurfaceShape::check(const std::string& who) const {
     case Kind::Saddle:
       if (hollow)
         throw Error(what +
-                    ": a saddle cannot be hollow; wanted a saddle with the signs of both "
-                    "curvatures changed");
+                    ": a saddle cannot be hollow; wanted hollow false, with the signs of both "
+                    "curvatures changed for the opposite saddle");
       if (!curvature.allFinite())
         throw Error(what + ": its curvatures are not finite; wanted numbers in 1/m");
       return;

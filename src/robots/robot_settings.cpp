@@ -52,7 +52,8 @@ Posture read_posture(const Reader& reader, const std::map<std::string, Posture>&
     for (const auto& [name, other] : earlier) names.push_back(name);
     const auto found = earlier.find(from->text());
     if (found == earlier.end())
-      from->refuse("posture " + in_quotes(from->text()) + " does not exist above this posture" +
+      from->refuse("posture " + in_quotes(from->text()) +
+                   " is not one of the postures earlier in the file" +
                    did_you_mean(from->text(), names));
     posture = found->second;
   }

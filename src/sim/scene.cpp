@@ -69,8 +69,8 @@ void check_touch(const Model& model, const TouchSpec& touch) {
   check_surface(model, touch, of);
   if (touch.is_rectangle() && !touch.is_support)
     throw Error(of +
-                " it is a rectangle, but not a support; wanted is_support, or a sphere as the "
-                "tool");
+                " it is a rectangle, but not a support; wanted a rectangle that is a support, or a "
+                "sphere (half_x and half_y 0)");
   if (const std::string unfit = unfit_for_supports(touch.surface);
       touch.is_support && !unfit.empty())
     throw Error(of + " its surface " + unfit +

@@ -145,7 +145,7 @@ TEST(Eval, GivenMotionOrForceThatForcesIgnore_IsRefused) {
     EXPECT_NE(outcome.err.find(words), std::string::npos) << outcome.err;
   };
   expect_refused(pressing_with_ten_newtons({"acceleration"}),
-                 "\"acceleration\" does not compute forces");
+                 "which \"acceleration\" does not compute");
   expect_refused(pressing_with_ten_newtons({"forces"}), "states[0].lambda: it is given");
   Json moved = pressing_with_ten_newtons({"forces", "frames"});
   moved["states"][0] = {{"a", {1, 0, 0, 0, 0, 0, 0}}};

@@ -51,7 +51,8 @@ TEST(RobotSettings, BadKeys_AreRefusedWithTheValidKeys) {
             "robot.yaml: line 2: joints.a.gear_ratio: it is 0; wanted a number of rotor turns "
             "per joint turn other than 0");
   EXPECT_EQ(sentence("postures: {a: {from: b}, b: {j: 1}}"),
-            "robot.yaml: line 2: postures.a.from: posture 'b' does not exist above this posture");
+            "robot.yaml: line 2: postures.a.from: posture 'b' is not one of the postures earlier "
+            "in the file");
 }
 
 /// A key with a default value would let every variant reset it.

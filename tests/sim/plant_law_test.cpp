@@ -396,7 +396,7 @@ TEST_P(PlantLaw, InvalidTouches_AreRefused) {
                           t.half_x = t.half_y = 0.1;
                           t.is_support = false;
                         }),
-                        {flange, "a rectangle, but not a support", "is_support"});
+                        {flange, "a rectangle, but not a support", "half_x"});
   const auto surface_refused = [&](auto&& change) {
     return refused([&](TouchSpec& t) {
       t.frame = flange;

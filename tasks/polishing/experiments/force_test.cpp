@@ -53,7 +53,7 @@ struct FigureRow {
 const ForceFigure& force_figure(const std::string& name) {
   for (const ForceFigure& figure : force_figures())
     if (figure.name == name) return figure;
-  throw Error("unknown figure of force control '" + name + "'");
+  throw Error("the force test measures no figure '" + name + "'");
 }
 
 /// Returns the worst value over the seeds; NaN if a seed has no value.
