@@ -264,11 +264,11 @@ const Description& description_of(const Constraint* /*of*/) {
                 "these exists, the size must be stated")
           .number_too()
           .field("l1_weight", &S::l1_weight,
-                 "L1 penalty weight of violations (infinite: hard), in cost per row unit",
+                 "L1 penalty weight of violations (infinite: hard) in cost per unit of the row",
                  {.least = 0, .infinite = true})
           .more("A violation v at a knot costs l1_weight |v| + 1/2 quadratic_weight v^2. This "
                 "cost is not multiplied by the duration of the knot. Violations therefore cost "
-                "less if the horizon has fewer and longer knots")
+                "less if the same horizon is divided into fewer, longer knots")
           .field("quadratic_weight", &S::quadratic_weight,
                  "Quadratic penalty weight of violations, in cost per squared row unit",
                  {.least = 0})
@@ -612,11 +612,11 @@ const Description& description_of(const FrameRotation* /*of*/) {
   using S = FrameRotation;
   static const Description all =
       Describe<S>("residual", "FrameRotation",
-                  "Rotation of a frame relative to the target, log(R_target^T A^T R), 3 rows, "
-                  "rad, in the target's axes. R is the rotation of the frame in the world, and A "
-                  "is the rotation of the reference. R_target is the target, a rotation relative "
-                  "to A. The base of the reference must be the world. The origin of the reference"
-                  " has no effect.")
+                  "Rotation of a frame relative to its target rotation, log(R_target^T A^T R), 3 "
+                  "rows, rad, in the axes of the target. R is the rotation of the frame in the "
+                  "world, and A that of the reference. The target R_target is relative to A. The "
+                  "base of the reference must be the world, and the origin of the reference has "
+                  "no effect.")
           .field("frame", &S::frame)
           .name_of("frame")
           .stated()

@@ -34,9 +34,9 @@ const Description& description_of(const Task* /*of*/) {
                  {.direction = true})
           .more("If robot.yaml defines the tool's frame, the automatic direction is the frame's z"
                 " or -z axis. Otherwise it is the axis of the last joint; see "
-                "pressing_direction(). The vector need not have unit length. In a stated starting"
-                " posture, the angle between the pressing direction and the direction into the "
-                "surface must be at most search.tilt.")
+                "pressing_direction(). The vector need not have unit length. If a starting "
+                "posture is stated, the angle between the pressing direction and the direction "
+                "into the surface must be at most search.tilt.")
           .key("axis")
           .word("auto")
           .field("tip_radius", &S::tip_radius,

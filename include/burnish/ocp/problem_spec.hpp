@@ -118,10 +118,10 @@ struct Constraint {
   /// margins, it is half the width of the polygon. For other residuals, it is the robot's own limit
   /// of the quantity. If none of these exists, the size must be stated @number_too
   Eigen::VectorXd scale = {};
-  /// L1 penalty weight of violations (infinite: hard), in cost per row unit, >= 0 or infinite
+  /// L1 penalty weight of violations (infinite: hard) in cost per unit of the row, >= 0 or infinite
   /// @more A violation v at a knot costs l1_weight |v| + 1/2 quadratic_weight v^2. This cost is not
-  /// multiplied by the duration of the knot. Violations therefore cost less if the horizon has
-  /// fewer and longer knots
+  /// multiplied by the duration of the knot. Violations therefore cost less if the same
+  /// horizon is divided into fewer, longer knots
   double l1_weight = std::numeric_limits<double>::infinity();
   /// Quadratic penalty weight of violations, in cost per squared row unit, >= 0
   double quadratic_weight = 0.0;

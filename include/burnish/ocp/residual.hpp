@@ -108,10 +108,10 @@ struct FrameDistance {
   Reference reference = Reference::world();
 };
 
-/// Rotation of a frame relative to the target, log(R_target^T A^T R), 3 rows, rad, in the target's
-/// axes. R is the rotation of the frame in the world, and A is the rotation of the reference.
-/// R_target is the target, a rotation relative to A. The base of the reference must be the world.
-/// The origin of the reference has no effect.
+/// Rotation of a frame relative to its target rotation, log(R_target^T A^T R), 3 rows, rad, in the
+/// axes of the target. R is the rotation of the frame in the world, and A that of the reference.
+/// The target R_target is relative to A. The base of the reference must be the world, and the
+/// origin of the reference has no effect.
 /// @described residual
 struct FrameRotation {
   std::string frame = {};  ///< @name_of frame @stated

@@ -45,9 +45,9 @@ struct IdealPlantOptions {
 /// Creates a plant with burnish's own contact dynamics. Joint limits do not stop the joints. If the
 /// tip is on the surface at reset(), or inside it by a rounding error, the plant starts in contact.
 ///
-/// The scene has either one tool or nothing to touch. Throws Error if checked_scene() rejects the
-/// scene, if the scene has a support or more than one touch, and if an option is out of range. Also
-/// throws Error for a surface that moves, is curved or is carried by the robot.
+/// The scene has at most one touch, which must be a tool. Throws Error if checked_scene() rejects
+/// the scene, if the scene has a support or more than one touch, and if an option is out of range.
+/// Also throws Error for a surface that moves, is curved or is carried by the robot.
 std::unique_ptr<Plant> make_ideal_plant(const Model& model, const SceneSpec& scene,
                                         const IdealPlantOptions& options = {});
 

@@ -37,9 +37,9 @@ struct TaskMargins {
 /// Returns the delays and filters that `disturbances` cause in a control loop. `stiffness` [N/m]
 /// and `damping` [Ns/m] describe the surface.
 LoopChain chain_of(const Disturbances& disturbances, double stiffness, double damping);
-/// Returns the delays and filters for which fit_gains() chooses gains: those of the disturbance
-/// preset `sensors`, with the task's surface and the motor lag that plans assume. The disturbances
-/// of the task are not used, because the controller does not know them.
+/// Returns the control loop that fit_gains() assumes. Delays and filters are those of the
+/// disturbance preset `sensors`. Surface and motor lag are those that the task's plans assume. The
+/// disturbances of the task are not used, because the controller does not know them.
 LoopChain usual_chain(const Task& task);
 /// Returns the delays and filters that the task's disturbances cause in the control loop.
 LoopChain loop_chain(const Task& task);

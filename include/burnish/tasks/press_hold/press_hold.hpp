@@ -37,8 +37,8 @@ struct Task {
   /// Pressing direction [x, y, z] in the tool's frame (automatic: away from the arm), not zero
   /// @more If robot.yaml defines the tool's frame, the automatic direction is the frame's z or -z
   /// axis. Otherwise it is the axis of the last joint; see pressing_direction(). The vector need
-  /// not have unit length. In a stated starting posture, the angle between the pressing direction
-  /// and the direction into the surface must be at most search.tilt.
+  /// not have unit length. If a starting posture is stated, the angle between the pressing
+  /// direction and the direction into the surface must be at most search.tilt.
   /// @key axis @word auto
   std::optional<Eigen::Vector3d> tool_axis = {};
   double tip_radius = 0.02;  ///< Radius of the round tip [m], > 0
