@@ -660,7 +660,7 @@ const Description& description_of(const Standing* /*of*/) {
                  {.least = 0})
           .more("The target is the orientation at the start, unless the task moves the target.")
           .field("momentum", &S::momentum,
-                 "Weight on centroidal momentum, linear and angular {per (kg m/s)^2 and (kg "
+                 "Weight on linear and angular centroidal momentum {per (kg m/s)^2 and (kg "
                  "m^2/s)^2}",
                  {.least = 0})
           .field("internal_forces", &S::internal_forces,

@@ -50,7 +50,7 @@ struct Standing {
   /// Weight on the rotation of the base from its target [1/rad^2], >= 0
   /// @more The target is the orientation at the start, unless the task moves the target.
   double base = 100.0;
-  /// Weight on centroidal momentum, linear and angular {per (kg m/s)^2 and (kg m^2/s)^2}, >= 0
+  /// Weight on linear and angular centroidal momentum {per (kg m/s)^2 and (kg m^2/s)^2}, >= 0
   double momentum = 1e-2;
   /// Weight on tangential forces and yaw moments of each foot [1/N^2], >= 0
   /// @more This weight discourages internal forces between the feet.
