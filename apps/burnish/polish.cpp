@@ -19,7 +19,7 @@
 #include "polishing/resting_hand.hpp"
 #include "polishing/rotors.hpp"
 #include "polishing/verdict.hpp"
-#include "pressing/task_checks.hpp"
+#include "pressing/arm.hpp"
 #include "progress_bar.hpp"
 #include "record/json_text.hpp"
 #include "record/run_folder.hpp"

@@ -1,11 +1,9 @@
 #include "pressing/task_checks.hpp"
 
-#include <algorithm>
 #include <cmath>
 
 #include "base/entry_error.hpp"
 #include "base/sentence.hpp"
-#include "pressing/arm.hpp"
 
 namespace burnish::pressing {
 
@@ -41,21 +39,6 @@ void check_plan_times(const PlanTimes& times) {
                                              number(times.step) +
                                              " s are longer than the horizon of " +
                                              number(times.horizon) + " s; wanted fewer knots");
-}
-
-void check_names(const Disturbances& disturbances, const Model& model, const SceneSpec& scene) {
-  for (const Push& push : disturbances.pushes)
-    if (!push.frame.empty() && !model.has_frame(push.frame))
-      throw EntryError("disturbances.pushes", "frame " + none_of(model, push.frame));
-  about("disturbances", [&] { check_disturbances(model, disturbances); });
-  std::vector<std::string> supports;
-  for (const TouchSpec& support : scene.supports()) supports.push_back(support.frame);
-  for (const SlipperyGround& ground : disturbances.slippery_ground)
-    if (!ground.frame.empty() &&
-        std::find(supports.begin(), supports.end(), ground.frame) == supports.end())
-      throw EntryError("disturbances.slippery_ground",
-                       "the robot does not stand on frame " + in_quotes(ground.frame) +
-                           "; wanted one of its supports, " + listed("frame", supports));
 }
 
 void note_friction(const std::string& key, double friction, double usual,

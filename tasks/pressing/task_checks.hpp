@@ -6,7 +6,6 @@
 #include <vector>
 
 #include "burnish/sim/disturbances.hpp"
-#include "burnish/sim/scene.hpp"
 
 namespace burnish::pressing {
 
@@ -33,10 +32,6 @@ template <class Task>
 PlanTimes plan_times_of(const Task& task) {
   return {task.tick_rate, task.update_rate, task.solver_delay, task.horizon, task.step, task.knots};
 }
-
-/// Throws EntryError if check_disturbances() rejects the disturbances, if they name a frame that
-/// the robot does not have, or if slippery ground is not under a support of the scene.
-void check_names(const Disturbances& disturbances, const Model& model, const SceneSpec& scene);
 
 /// Adds a note if a stated `friction` of the surface has no effect because the disturbances state
 /// another friction. `key`: key of `friction` in task files, such as "surface.friction"; `usual`:
