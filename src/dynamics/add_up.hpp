@@ -22,8 +22,8 @@ inline void for_related_axes(const Tree& tree, const auto& visit) {
     for (int j = i; j >= 0; j = tree.parent_of_axis[j]) visit(i, j);
 }
 
-/// Sums a symmetric matrix over axes. Reads entries (i, j) for ancestors j of i, and fills the
-/// lower triangle of by_v.
+/// Computes by_v (nv x nv, lower triangle) from a symmetric matrix with one row per axis. Reads the
+/// entries (i, j) for ancestors j of i.
 template <class S>
 void add_up_symmetric(const Tree& tree, const S* by_axis, S* by_v) {
   std::fill_n(by_v, tree.nv * tree.nv, S(0.0));

@@ -20,7 +20,7 @@ void read_term_inputs(const Reader& reader, const ProblemSpec& spec, Term& term)
   term.friction_ratio_input = read_input_name(reader, "friction_ratio_input", spec);
   term.surface_input = read_input_name(reader, "surface_input", spec);
 }
-/// Returns `keys` and the keys of a cost or a constraint that name inputs.
+/// Returns `keys`, and the keys with which a cost or constraint refers to inputs.
 std::vector<std::string> with_input_keys(std::vector<std::string> keys);
 
 }  // namespace burnish::files

@@ -1,4 +1,4 @@
-// MuJoCo's model and data for a robot and the touches of its scene.
+// MuJoCo's model and data for a robot and a scene: tools and feet with the surfaces they touch.
 #pragma once
 
 #include "burnish/base/views.hpp"

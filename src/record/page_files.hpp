@@ -20,7 +20,7 @@ class PageWriter {
   /// nothing to show.
   std::vector<std::string> write(const std::filesystem::path& folder,
                                  const std::function<RunPage()>& make);
-  /// Returns whether runs have a page, which makes plots as separate files unnecessary.
+  /// Returns whether runs have an HTML page, which contains all plots.
   bool makes_pages() const;
   /// Called after the last run. If there are several runs, writes comparison.html to their common
   /// folder. Returns a line for the user about the pages; empty: none.

@@ -1,4 +1,4 @@
-// Forces on feet and states of the robot in the rows of a trace.
+// Access to the rows of a trace: states of the robot, and forces on its feet.
 #pragma once
 
 #include <array>

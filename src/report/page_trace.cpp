@@ -15,8 +15,8 @@
 namespace burnish {
 namespace {
 
-/// Number of page columns without the columns of joints, and number of envelopes without the
-/// envelopes of torques.
+/// Number of page columns, not counting those of joints, and number of envelopes, not counting
+/// those of torques.
 constexpr int plain_columns = 30, plain_envelopes = 7;
 /// Number of columns of a standing robot, except those of its supports.
 constexpr int standing_columns = 9;

@@ -43,8 +43,8 @@ struct Iterate {
 
 /// Quadratic model of the cost along the search direction.
 struct Direction {
-  /// d1: expected decrease of cost per step length at length 0. accept_rollout() adds the
-  /// contribution of the gaps that remain. With constraint rows: slope of the merit function
+  /// d1: derivative of the cost with respect to the step length, at length 0. accept_rollout() adds
+  /// the part of the remaining gaps. With constraint rows, the derivative of the merit function
   double slope = 0.0;
   double curvature = 0.0;  ///< d2: curvature along the direction
   /// For StepUpdate::MultipleShooting: slope of the cost, and change of cost that the model

@@ -42,7 +42,7 @@ bool DdpSolver::Impl::can_be_cut() const {
 }
 
 /// Sweeps the knots of a segment, from the value function after the segment. If `parametric`, the
-/// segment's end is a parameter. Returns the knot that failed, or -1.
+/// result depends on the multiplier at the segment's end. Returns the knot that failed, or -1.
 int DdpSolver::Impl::sweep_segment(int segment, const ValueStorage& after, bool parametric) {
   const auto j = to_size(segment);
   ParametricSegment& part = *parts[j];

@@ -66,7 +66,7 @@ class LimitedLq {
   /// Data of a knot's rows, first_row() + max_rows entries. A solve reads all data and writes the
   /// multipliers.
   struct Rows {
-    double* lower;  ///< Limit of C z: the limit minus the row's present value
+    double* lower;  ///< Lower limit of C z: limit of the row minus its present value
     double* upper;
     double* scale;      ///< Characteristic size of the row, in the row's unit
     double* weight;     ///< Weight of the augmented Lagrangian; 0: no limits

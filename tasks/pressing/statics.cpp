@@ -73,7 +73,7 @@ void Statics::name_rows(const Model& model) {
   if (spec_.hand_friction > 0.0)
     for (const std::string& hand : spec_.hands) add(octagon, "friction of " + hand);
   for (const int k : limited_) add(2, "torque limits/" + model.v_name(k));
-  add(2, "force");  // rows for an upper bound of F and for a violation of at least 0
+  add(2, "force");  // two rows: F <= upper bound, and shared violation >= 0
 }
 
 void Statics::fill_cone(Eigen::Index x, Eigen::Index y, Eigen::Index z, double friction,
