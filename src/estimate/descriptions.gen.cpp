@@ -261,7 +261,7 @@ const Words& words_of(WrenchSensor /*of*/) {
   static const Words all{
       "mpc",
       "WrenchSensor",
-      "Components of a wrench that a sensor measures.",
+      "Components of a wrench that a sensor measures, or that a controller reads.",
       {{"automatic", "Force of a tool, force and moment of a support"},
        {"none", "No component"},
        {"force", "Force, but no moment"},
@@ -278,8 +278,7 @@ const Description& description_of(const TouchSensor* /*of*/) {
                  "Frame of the touch")
           .field("sensor", &S::sensor,
                  "Components that the controller reads")
-          .more("Automatic: only the force on the controller's tool; force and moment on other "
-                "touches");
+          .more("Automatic: force and moment of a support, only the force of a tool");
   return all;
 }
 
@@ -299,8 +298,8 @@ const Description& description_of(const Measurement* /*of*/) {
           .field("wrenches", &S::wrenches,
                  "Measured wrenches that surfaces exert on the robot, one column per entry of "
                  "Controller.touches: force (N), then moment (Nm)")
-          .more("Each entry names the frame of a tool or foot. Moments are about the origin of "
-                "this frame. Force and moment are in the axes of this frame and exclude the "
+          .more("Each entry names the frame of a tool, foot or hand. Moments are about the origin"
+                " of this frame. Force and moment are in the axes of this frame and exclude the "
                 "weight of the tool or foot. Components that no sensor measures are NaN")
           .field("imu", &S::imu,
                  "Reading of the inertial measurement unit; empty if the robot has none")

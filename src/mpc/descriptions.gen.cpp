@@ -292,14 +292,15 @@ const Description& description_of(const MpcSpec* /*of*/) {
                 "stage, because the fallback would load a hand like a foot. These supports "
                 "require a sensor (`touches`)")
           .field("touches", &S::touches,
-                 "Sensors of the tool, feet and hands, one per column of Measurement.wrenches")
-          .more("A NaN in a component with a sensor makes the measurement invalid. A tool without"
-                " an entry has a force sensor in the first column. If the tool's entry states the"
-                " sensor `none`, the force on the tool is estimated from the change of the torque"
-                " error at contact. This estimate requires that model_error.kind is `torque`. "
-                "With a sensor at each support, torque errors are estimated in all joints, "
-                "including the joints of supporting legs. A support whose rotation is free, such "
-                "as a point foot, needs no sensor of moments")
+                 "Sensors of tools, feet and hands that the controller reads")
+          .more("Measurement.wrenches has one column per entry, in this order. If the tool has no"
+                " entry, its force has a column before the others. A NaN in a component that the "
+                "controller reads makes the measurement invalid. If the tool's entry states the "
+                "sensor `none`, the force on the tool is estimated from the change of the torque "
+                "error at contact. This estimate requires that model_error.kind is `torque`. With"
+                " a sensor at each support, torque errors are estimated in all joints, including "
+                "the joints of supporting legs. A support whose rotation is free, such as a point"
+                " foot, needs no sensor of moments")
           .field("contact_threshold", &S::contact_threshold,
                  "Normal force above which the tool counts as in contact [{N}]")
           .field("tick_period", &S::tick_period,

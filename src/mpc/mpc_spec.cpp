@@ -1,6 +1,19 @@
 #include "burnish/mpc/mpc_spec.hpp"
 
+#include <algorithm>
+
 namespace burnish {
+namespace {
+
+bool is_support(const MpcSpec& spec, const std::string& frame) {
+  return std::any_of(
+      spec.problem.contacts.begin(), spec.problem.contacts.end(), [&](const ContactSpec& contact) {
+        return contact.tool == frame && std::find(spec.supports.begin(), spec.supports.end(),
+                                                  contact.name) != spec.supports.end();
+      });
+}
+
+}  // namespace
 
 std::vector<TouchSensor> touch_sensors(const MpcSpec& spec) {
   std::vector<TouchSensor> result;
@@ -10,7 +23,7 @@ std::vector<TouchSensor> touch_sensors(const MpcSpec& spec) {
   result.insert(result.end(), spec.touches.begin(), spec.touches.end());
   for (TouchSensor& touch : result)
     if (touch.sensor == WrenchSensor::Automatic)
-      touch.sensor = touch.frame == spec.tool ? WrenchSensor::Force : WrenchSensor::Wrench;
+      touch.sensor = is_support(spec, touch.frame) ? WrenchSensor::Wrench : WrenchSensor::Force;
   return result;
 }
 

@@ -113,6 +113,17 @@ TEST_F(SupportGrip, ColumnOfAFrame_IsItsPlaceAmongTheTouchesIfItIsMeasured) {
     EXPECT_EQ(wrench_column(spec, frame), -1) << frame;
 }
 
+TEST_F(SupportGrip, AutomaticSensor_MeasuresMomentsOnlyOfSupports) {
+  MpcSpec spec = swaying(model, q);
+  spec.tool = "tool";
+  spec.touches = {{soles[0]}, {"tool"}, {"left_hand"}};
+  const std::vector<TouchSensor> sensors = touch_sensors(spec);
+  ASSERT_EQ(sensors.size(), 3U);
+  EXPECT_EQ(sensors[0].sensor, WrenchSensor::Wrench);
+  EXPECT_EQ(sensors[1].sensor, WrenchSensor::Force);
+  EXPECT_EQ(sensors[2].sensor, WrenchSensor::Force) << "a second tool, as in a scene";
+}
+
 TEST_F(SupportGrip, TouchesThatDoNotFit_AreRefused) {
   const auto refused = [&](const std::function<void(MpcSpec&)>& change) {
     MpcSpec spec = swaying(model, q);

@@ -11,7 +11,7 @@
 
 namespace burnish {
 
-/// Components of a wrench that a sensor measures.
+/// Components of a wrench that a sensor measures, or that a controller reads.
 /// @described mpc
 enum class WrenchSensor {
   Automatic,  ///< Force of a tool, force and moment of a support
@@ -26,7 +26,7 @@ struct TouchSensor {
   /// Frame of the touch
   std::string frame = {};
   /// Components that the controller reads
-  /// @more Automatic: only the force on the controller's tool; force and moment on other touches
+  /// @more Automatic: force and moment of a support, only the force of a tool
   WrenchSensor sensor = WrenchSensor::Automatic;
 };
 
@@ -46,7 +46,7 @@ struct Measurement {
   Eigen::VectorXd tau;
   /// Measured wrenches that surfaces exert on the robot, one column per entry of
   /// Controller.touches: force (N), then moment (Nm)
-  /// @more Each entry names the frame of a tool or foot. Moments are about the origin of this
+  /// @more Each entry names the frame of a tool, foot or hand. Moments are about the origin of this
   /// frame. Force and moment are in the axes of this frame and exclude the weight of the tool or
   /// foot. Components that no sensor measures are NaN
   Wrenches wrenches = {};

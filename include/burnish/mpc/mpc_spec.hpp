@@ -137,9 +137,10 @@ struct MpcSpec {
   /// because the fallback would load a hand like a foot. These supports require a sensor
   /// (`touches`)
   std::vector<std::string> resting_supports = {};
-  /// Sensors of the tool, feet and hands, one per column of Measurement.wrenches
-  /// @more A NaN in a component with a sensor makes the measurement invalid. A tool without an
-  /// entry has a force sensor in the first column. If the tool's entry states the sensor `none`,
+  /// Sensors of tools, feet and hands that the controller reads
+  /// @more Measurement.wrenches has one column per entry, in this order. If the tool has no entry,
+  /// its force has a column before the others. A NaN in a component that the controller reads makes
+  /// the measurement invalid. If the tool's entry states the sensor `none`,
   /// the force on the tool is estimated from the change of the torque error at contact. This
   /// estimate requires that model_error.kind is `torque`. With a sensor at each support, torque
   /// errors are estimated in all joints, including the joints of supporting legs. A support whose
@@ -196,9 +197,9 @@ struct MpcSpec {
   bool feedback = true;
 };
 
-/// Returns the sensors of the columns of Measurement::wrenches: the entries of MpcSpec::touches,
-/// and before them a force sensor for a tool that has no entry. WrenchSensor::Automatic is replaced
-/// with the components that it stands for.
+/// Returns the sensors of the columns of Measurement::wrenches. The force sensor of a tool without
+/// an entry comes first, then the entries of MpcSpec::touches follow. WrenchSensor::Automatic is
+/// replaced with the components that it stands for.
 std::vector<TouchSensor> touch_sensors(const MpcSpec& spec);
 /// Returns the frames of touch_sensors(). In a simulation, the scene must have a touch (TouchSpec)
 /// at each frame.
