@@ -50,6 +50,7 @@ template <class S>
 ConstrainedDerivatives<S>::ConstrainedDerivatives(const ConstrainedDynamics<S>& dynamics)
     : n_(dynamics.nv()),
       contacts_without_gains_(dynamics.set().contacts()),
+      coriolis_(dynamics.tree().joints.size()),
       articulated_(dynamics.tree()) {
   using namespace derivatives_detail;
   const Tree& tree = dynamics.tree();
@@ -123,7 +124,7 @@ void ConstrainedDerivatives<S>::fill_contact_rows(ConstrainedDynamics<S>& dynami
                                           dynamics.inverse_dynamics(), state);
     const int offset = (n_ + active.first_row[c]) * n_;
     contact_acceleration_derivatives(contact, dynamics.kinematics(), dynamics.inverse_dynamics(),
-                                     state, at, {rhs_q.data() + offset, rhs_v.data() + offset, n_});
+                                     state, at, rhs_q.data() + offset, rhs_v.data() + offset, n_);
   }
 }
 
@@ -140,7 +141,7 @@ void ConstrainedDerivatives<S>::fill_joint_rows(ConstrainedDynamics<S>& dynamics
       }
   }
   inverse_dynamics_derivatives(dynamics.tree(), dynamics.kinematics(), dynamics.mass(),
-                               dynamics.inverse_dynamics(), rhs_q.data(), rhs_v.data());
+                               dynamics.inverse_dynamics(), coriolis_, rhs_q.data(), rhs_v.data());
   for (const int c : active.contacts)
     subtract_force_transport(dynamics.set().contacts()[c], dynamics.kinematics(),
                              dynamics.contact_states[c], rhs_q.data(), n_);
@@ -300,7 +301,7 @@ void ConstrainedDerivatives<S>::by_torque(const ConstrainedDynamics<S>& dynamics
   S* const lambda_rows = d_dtau.data() + n_ * n_;
   for (const Segment& s : segments_)
     gram<Gram::Set>(StridedView<const S>{d.T.data(), d.stride}, W,
-                    std::span<const int>(s.ancestors), {0, m}, {s.first, s.end},
+                    std::span<const int>(s.ancestors), 0, m, s.first, s.end,
                     StridedView<S>{Z_.data(), n_});
   lambda_by_torque(dynamics);
   const std::span<const int> contact_rows(contact_rows_);
@@ -308,10 +309,10 @@ void ConstrainedDerivatives<S>::by_torque(const ConstrainedDynamics<S>& dynamics
     for (std::size_t b = 0; b <= a; ++b) {
       const Segment &x = segments_[a], &y = segments_[b];
       gram<Gram::Set>(W, W, std::span<const int>(shared_ancestors_[a * segments_.size() + b]),
-                      {x.first, x.end}, {y.first, y.end}, P);
+                      x.first, x.end, y.first, y.end, P);
       if (m > 0)
         gram<Gram::Add>(StridedView<const S>{Z_.data(), n_}, StridedView<const S>{lambda_rows, n_},
-                        contact_rows, {x.first, x.end}, {y.first, y.end}, P);
+                        contact_rows, x.first, x.end, y.first, y.end, P);
       if (a == b) continue;
       for (int i = x.first; i < x.end; ++i)
         for (int j = y.first; j < y.end; ++j) d_dtau[j * n_ + i] = d_dtau[i * n_ + j];
@@ -336,11 +337,11 @@ void ConstrainedDerivatives<S>::by_torque_deep(const ConstrainedDynamics<S>& dyn
   articulated_.invert(dynamics.kinematics(), dynamics.mass(), d_dtau.data());
   gram<Gram::Set>(StridedView<const S>{d.jacobian_by_v.data(), d.stride},
                   StridedView<const S>{d_dtau.data(), n_}, std::span<const int>(supported_columns_),
-                  {0, m}, {0, n_}, StridedView<S>{Z_.data(), n_});
+                  0, m, 0, n_, StridedView<S>{Z_.data(), n_});
   lambda_by_torque(dynamics);
   gram<Gram::Add>(
       StridedView<const S>{Z_.data(), n_}, StridedView<const S>{d_dtau.data() + n_ * n_, n_},
-      std::span<const int>(contact_rows_), {0, n_}, {0, n_}, StridedView<S>{d_dtau.data(), n_});
+      std::span<const int>(contact_rows_), 0, n_, 0, n_, StridedView<S>{d_dtau.data(), n_});
 }
 
 template <class S>
@@ -356,11 +357,11 @@ void ConstrainedDerivatives<S>::by_state(const ConstrainedDynamics<S>& dynamics,
     const StridedView<const S> right{rhs.data(), n_};
     if (!deep)
       gram<Gram::SetNegative>(StridedView<const S>{d_dtau.data(), n_}, right,
-                              std::span<const int>(segment_rows_[s]), {0, n_},
-                              {segment.first, segment.end}, StridedView<S>{out.data(), n_});
+                              std::span<const int>(segment_rows_[s]), 0, n_, segment.first,
+                              segment.end, StridedView<S>{out.data(), n_});
     gram<Gram::SetNegative>(StridedView<const S>{lambda_by_tau_.data(), m}, right,
-                            std::span<const int>(segment.related), {0, m},
-                            {segment.first, segment.end}, StridedView<S>{out.data() + n_ * n_, n_});
+                            std::span<const int>(segment.related), 0, m, segment.first, segment.end,
+                            StridedView<S>{out.data() + n_ * n_, n_});
   }
   if (deep)
     articulated_.solve_negative(dynamics.kinematics(), dynamics.mass(), rhs.data(), out.data(), n_,
@@ -375,7 +376,7 @@ void ConstrainedDerivatives<S>::by_state(const ConstrainedDynamics<S>& dynamics,
   // Deep trees use an equivalent formula: da/dz = Z^T dlambda/dz - M^-1 dtau/dz.
   gram<Gram::Add>(
       StridedView<const S>{Z_.data(), n_}, StridedView<const S>{out.data() + n_ * n_, n_},
-      std::span<const int>(contact_rows_), {0, n_}, {0, n_}, StridedView<S>{out.data(), n_});
+      std::span<const int>(contact_rows_), 0, n_, 0, n_, StridedView<S>{out.data(), n_});
 }
 
 // Let rho be the right-hand side of G lambda = rho with G = J M^-1 J^T, and n its component in the

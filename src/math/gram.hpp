@@ -18,11 +18,6 @@ struct StridedView {
   int stride;
 };
 
-/// Rows or columns of a matrix, from `begin` to `end` - 1.
-struct IndexRange {
-  int begin, end;
-};
-
 namespace gram_detail {
 
 // Tile size for which the sums, one row of B and one entry of A fit into the vector registers of
@@ -65,34 +60,33 @@ BURNISH_INLINE void tile(StridedView<const S> a, StridedView<const S> b, std::sp
     }
 }
 
-/// Computes R rows of C, in the given columns.
+/// Computes R rows of C, from column j0 up to column j1.
 template <Gram mode, int R, class S>
 void tile_row(StridedView<const S> a, StridedView<const S> b, std::span<const int> rows, int i,
-              IndexRange columns, StridedView<S> c) {
-  int j = columns.begin;
-  for (; j + tile_columns <= columns.end; j += tile_columns)
+              int j0, int j1, StridedView<S> c) {
+  int j = j0;
+  for (; j + tile_columns <= j1; j += tile_columns)
     tile<mode, R, tile_columns>(a, b, rows, i, j, c);
   if constexpr (tile_columns > 3) {
-    if (j + 3 == columns.end) tile<mode, R, 3>(a, b, rows, i, j, c);
+    if (j + 3 == j1) tile<mode, R, 3>(a, b, rows, i, j, c);
   }
-  if (j + 2 == columns.end) tile<mode, R, 2>(a, b, rows, i, j, c);
-  if (j + 1 == columns.end) tile<mode, R, 1>(a, b, rows, i, j, c);
+  if (j + 2 == j1) tile<mode, R, 2>(a, b, rows, i, j, c);
+  if (j + 1 == j1) tile<mode, R, 1>(a, b, rows, i, j, c);
 }
 
 }  // namespace gram_detail
 
-/// Computes C(i, j) for all i and j in the given ranges: column i of A times column j of B, summed
+/// Computes C(i, j) for i0 <= i < i1 and j0 <= j < j1: column i of A times column j of B, summed
 /// over `rows`.
 template <Gram mode, class S>
-void gram(StridedView<const S> a, StridedView<const S> b, std::span<const int> rows,
-          IndexRange range_i, IndexRange range_j, StridedView<S> c) {
+void gram(StridedView<const S> a, StridedView<const S> b, std::span<const int> rows, int i0, int i1,
+          int j0, int j1, StridedView<S> c) {
   using namespace gram_detail;
-  const int end = range_i.end;
-  int i = range_i.begin;
-  for (; i + tile_rows <= end; i += tile_rows) tile_row<mode, tile_rows>(a, b, rows, i, range_j, c);
-  for (; i + 3 <= end; i += 3) tile_row<mode, 3>(a, b, rows, i, range_j, c);
-  if (i + 2 == end) tile_row<mode, 2>(a, b, rows, i, range_j, c);
-  if (i + 1 == end) tile_row<mode, 1>(a, b, rows, i, range_j, c);
+  int i = i0;
+  for (; i + tile_rows <= i1; i += tile_rows) tile_row<mode, tile_rows>(a, b, rows, i, j0, j1, c);
+  for (; i + 3 <= i1; i += 3) tile_row<mode, 3>(a, b, rows, i, j0, j1, c);
+  if (i + 2 == i1) tile_row<mode, 2>(a, b, rows, i, j0, j1, c);
+  if (i + 1 == i1) tile_row<mode, 1>(a, b, rows, i, j0, j1, c);
 }
 
 }  // namespace burnish

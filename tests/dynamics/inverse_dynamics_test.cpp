@@ -34,7 +34,8 @@ struct InverseDynamicsKernel {
     Evaluation<S> run(tree, q, v, a);
     const std::vector<S> zeros(run.mass.mass.size(), S(0.0));
     Blocks<S> out{zeros, zeros};
-    inverse_dynamics_derivatives(tree, run.kinematics, run.mass, run.id, out.dq.data(),
+    std::vector<Coriolis<S>> scratch(tree.joints.size());
+    inverse_dynamics_derivatives(tree, run.kinematics, run.mass, run.id, scratch, out.dq.data(),
                                  out.dv.data());
     return out;
   }

@@ -90,9 +90,9 @@ TEST(GramProduct, AnySizeAndSelectedRows_EqualThePlainSum) {
     for (int nj = 0; nj <= n; ++nj) {
       std::vector<double> c(n * n, 1.0), d(n * n, 1.0), e(n * n, 1.0);
       const StridedView<const double> A{a.data(), n}, B{b.data(), n};
-      gram<Gram::Set>(A, B, selected, {0, ni}, {0, nj}, StridedView<double>{c.data(), n});
-      gram<Gram::Add>(A, B, selected, {0, ni}, {0, nj}, StridedView<double>{d.data(), n});
-      gram<Gram::SetNegative>(A, B, selected, {0, ni}, {0, nj}, StridedView<double>{e.data(), n});
+      gram<Gram::Set>(A, B, selected, 0, ni, 0, nj, StridedView<double>{c.data(), n});
+      gram<Gram::Add>(A, B, selected, 0, ni, 0, nj, StridedView<double>{d.data(), n});
+      gram<Gram::SetNegative>(A, B, selected, 0, ni, 0, nj, StridedView<double>{e.data(), n});
       for (int i = 0; i < n; ++i)
         for (int j = 0; j < n; ++j) {
           double sum = 0.0;
