@@ -37,7 +37,7 @@ def test_base_estimator_with_invalid_input_raises():
     imu = burnish.ImuReading(gyro=[np.nan, 0.0, 0.0])
     with pytest.raises(burnish.EvaluationError):
         estimator.update(imu, q, np.zeros(model.nv), [True] * 4, 1e-3)
-    with pytest.raises(burnish.Error, match="one per foot, 4"):
+    with pytest.raises(burnish.Error, match="wanted 4, one per foot"):
         estimator.update(burnish.ImuReading(), q, np.zeros(model.nv), [True], 1e-3)
 
 
