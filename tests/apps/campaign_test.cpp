@@ -163,8 +163,8 @@ TEST(Campaign, IncompatibleShards_AreRefusedByMerge) {
   refused(quoted(first) + " " + quoted(other),
           "'" + other.string() +
               "' holds runs of `burnish experiment seeds --seeds 3 --plant "
-              "ideal --quick --set force=20`, and '" +
-              first.string() + "' of");
+              "ideal --quick --set force=20`, but '" +
+              first.string() + "' holds runs of");
   refused(quoted(scratch.folder), "holds no runs of an experiment: it has no file campaign.json");
   const auto replace = [](const fs::path& file, const std::string& what, const std::string& by) {
     const std::string text = std::regex_replace(contents(file), std::regex(what), by);

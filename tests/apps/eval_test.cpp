@@ -382,7 +382,7 @@ INSTANTIATE_TEST_SUITE_P(
             R"({"robot": "arm7", "contacts": [{"tool": "tool", "kp": 4}]})",
             "contacts[0]: key 'target' is missing, but kp is not 0; wanted \"target\": \"here\""},
         BadRequest{R"({"robot": "arm7", "contacts": [{"tool": "tool", "kp": 4}]})",
-                   "or \"target\": {\"xyz\": [0, 0, 0]} for the frame 'base'"},
+                   "or \"target\": {\"xyz\": [0, 0, 0]} (the frame 'base'"},
         BadRequest{R"({"robot": "arm7", "contacts": {"tip": {"tool": "tool"}}, "compute":
                 "contact_error"})",
                    "contacts.tip: key 'target' is missing, but compute lists contact_error"},

@@ -75,7 +75,7 @@ TEST(Experiment, BadInput_IsRefusedInOneSentence) {
   refused("paper --plant gazebo", "--plant");
   refused("paper --fast", "unknown argument '--fast'");
   refused("paper --folder /tmp", "--folder is for the experiment 'robots', not for 'paper'");
-  refused("robots --folder /tmp --robot arm7", "wanted neither --robot nor --tool");
+  refused("robots --folder /tmp --robot arm7", "wanted --folder without --robot and --tool");
   refused("robots --folder " + quoted(scratch.folder / "none"), "wanted a folder of robot");
   expect_refused(run("experiment"), "EXPERIMENT is required");
   EXPECT_FALSE(std::filesystem::exists(scratch.folder / "out"));
