@@ -174,7 +174,7 @@ TEST(DamagedRecord, LongGapsAndManyLostSamples_AreRefused) {
     }
     return "not refused";
   };
-  EXPECT_NE(refusal([](int i) { return i > 1000 && i < 1020; }).find("no samples for 80"),
+  EXPECT_NE(refusal([](int i) { return i > 1000 && i < 1020; }).find("a gap of 80"),
             std::string::npos);
   EXPECT_NE(refusal([](int i) { return i % 10 == 0; }).find("% of the samples"), std::string::npos);
 }
@@ -212,7 +212,7 @@ TEST(DamagedRecord, WrappedAngle_IsUnwrapped) {
 
 TEST(DamagedRecord, SingleOutliers_AreBridgedAndManyRefused) {
   expect_repaired([](auto& r) { r.q(1080, 1) += 3.0; },
-                  {"'q_joint_2'", " rad for 1 sample", "at 4.32 s"});
+                  {"'q_joint_2'", " rad in 1 sample", "at 4.32 s"});
   expect_repaired([](auto& r) { r.tau(1080, 1) += 300.0; }, {"'tau_joint_2'", "at 4.32 s"});
   expect_refused(
       [](auto& r) {
