@@ -86,10 +86,9 @@ Eigen::VectorXd usable_posture(const BenchSpec& spec, std::string& name) {
       spec.posture.empty() ? robot.reference_configuration() : robot.posture(spec.posture);
   if (can_press(robot.model, spec.tool, q0)) return q0;
   if (!spec.posture.empty())
-    throw Error(
-        "bench: at posture '" + name + "' the tool '" + spec.tool +
-        "' cannot press along world z: no joint moves the tool in this direction, or a joint "
-        "moves no mass; wanted another posture or tool");
+    throw Error("bench: at posture '" + name + "' the tool '" + spec.tool +
+                "' cannot press along world z: no joint moves the tool in this direction, or the "
+                "mass matrix is singular; wanted another posture or tool");
   for (const auto& [other, posture] : robot.postures) {
     const Eigen::VectorXd q = robot.posture(other);
     name = other;

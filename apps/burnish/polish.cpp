@@ -19,7 +19,7 @@
 #include "polishing/resting_hand.hpp"
 #include "polishing/rotors.hpp"
 #include "polishing/verdict.hpp"
-#include "pressing/arm.hpp"
+#include "pressing/closed_run.hpp"
 #include "progress_bar.hpp"
 #include "record/json_text.hpp"
 #include "record/run_folder.hpp"
@@ -204,7 +204,7 @@ void check_place(CheckedPlace& place, const std::vector<document::Reader>& said,
   if (unchecked && !plans) return;
   const polishing::Setting setting = files::placed(said, [&] {
     polishing::Setting made = polishing::make_setting(task, *place.job->spec.robot);
-    pressing::check_names(task.disturbances, made.robot.model, made.scene);
+    pressing::check_disturbances(made.robot.model, made.scene, task.disturbances);
     return made;
   });
   if (plans) place.controller = fit_controller(task, setting);

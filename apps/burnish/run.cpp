@@ -15,7 +15,7 @@
 #include "named_tasks.hpp"
 #include "plan_steps.hpp"
 #include "press_hold/record.hpp"
-#include "pressing/arm.hpp"
+#include "pressing/closed_run.hpp"
 #include "pressing/record.hpp"
 #include "pressing/task_form.hpp"
 #include "progress_bar.hpp"
@@ -139,7 +139,8 @@ auto checked_run(const RunArguments& a, std::optional<int> seed, bool is_first) 
           for (const std::string& change : fit_to_robot(spec.task, robot))
             if (is_first) fmt::print(stderr, "burnish: note: {}\n", change);
       spec.setting = make_setting(spec.task, robot);
-      pressing::check_names(spec.task.disturbances, robot.model, spec.setting->scene);
+      pressing::check_disturbances(spec.setting->robot.model, spec.setting->scene,
+                                   spec.task.disturbances);
       if (spec.check_reach) refuse_out_of_reach(spec.task, *spec.setting);
       if (is_first) print_notes(a, file, spec, pressing::states_disturbances(said.texts));
     });

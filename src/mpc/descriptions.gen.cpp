@@ -299,8 +299,9 @@ const Description& description_of(const MpcSpec* /*of*/) {
                 "sensor `none`, the force on the tool is estimated from the change of the torque "
                 "error at contact. This estimate requires that model_error.kind is `torque`. With"
                 " a sensor at each support, torque errors are estimated in all joints, including "
-                "the joints of supporting legs. A support whose rotation is free, such as a point"
-                " foot, needs no sensor of moments")
+                "the joints of supporting legs. If only some supports have sensors, the others "
+                "count as rigid contacts. A support whose rotation is free, such as a point foot,"
+                " needs no sensor of moments")
           .field("contact_threshold", &S::contact_threshold,
                  "Normal force above which the tool counts as in contact [{N}]")
           .field("tick_period", &S::tick_period,

@@ -71,21 +71,6 @@ std::string none_of(const Model& model, const std::string& frame, bool of_tool) 
          (near.empty() ? frames_of(model, of_tool) : near);
 }
 
-void check_names(const Disturbances& disturbances, const Model& model, const SceneSpec& scene) {
-  for (const Push& push : disturbances.pushes)
-    if (!push.frame.empty() && !model.has_frame(push.frame))
-      throw EntryError("disturbances.pushes", "frame " + none_of(model, push.frame));
-  about("disturbances", [&] { check_disturbances(model, disturbances); });
-  std::vector<std::string> supports;
-  for (const TouchSpec& support : scene.supports()) supports.push_back(support.frame);
-  for (const SlipperyGround& ground : disturbances.slippery_ground)
-    if (!ground.frame.empty() &&
-        std::find(supports.begin(), supports.end(), ground.frame) == supports.end())
-      throw EntryError("disturbances.slippery_ground",
-                       "the robot does not stand on frame " + in_quotes(ground.frame) +
-                           "; wanted one of its supports, " + listed("frame", supports));
-}
-
 namespace {
 
 /// Rejects a robot without mass, and a robot with a joint that moves no mass. Returns other robots

@@ -5,8 +5,6 @@
 #include <string>
 
 #include "burnish/robots/robot.hpp"
-#include "burnish/sim/disturbances.hpp"
-#include "burnish/sim/scene.hpp"
 #include "sim/light_joints.hpp"
 
 namespace burnish::pressing {
@@ -21,10 +19,6 @@ Robot load_arm(const std::string& robot, const std::string& tool, bool stands = 
 /// the text lists the end links and the first frames or sites that the robot's files define.
 /// `of_tool`: true to put frames whose names suggest a tool at the start of the list.
 std::string none_of(const Model& model, const std::string& frame, bool of_tool = false);
-
-/// Throws EntryError if check_disturbances() rejects the disturbances, if they name a frame that
-/// the robot does not have, or if slippery ground is not under a support of the scene.
-void check_names(const Disturbances& disturbances, const Model& model, const SceneSpec& scene);
 
 /// Loads a robot with a floating base, even if its files fix the base. The joints `locked` are
 /// locked. Throws EntryError for "robot" if load_robot() fails.

@@ -4,9 +4,11 @@
 #include <chrono>
 #include <cmath>
 
+#include "base/entry_error.hpp"
 #include "base/sentence.hpp"
 #include "base/to_size.hpp"
 #include "burnish/sim/closed_loop.hpp"
+#include "pressing/arm.hpp"
 #include "pressing/foot_posture.hpp"
 #include "pressing/standing_terms.hpp"
 
@@ -128,6 +130,17 @@ std::vector<Push> with_frames(std::vector<Push> pushes, const Model& model,
     if (push.frame.empty())
       push.frame = scene.tool_index() >= 0 ? scene.tool().frame : base_frame(model);
   return pushes;
+}
+
+void check_disturbances(const Model& model, const SceneSpec& scene,
+                        const Disturbances& disturbances) {
+  for (const Push& push : disturbances.pushes)
+    if (!push.frame.empty() && !model.has_frame(push.frame))
+      throw EntryError("disturbances.pushes", "frame " + none_of(model, push.frame));
+  about("disturbances", [&] {
+    burnish::check_disturbances(model, disturbances);
+    (void)checked_scene(model, plant_scene(scene, disturbances));
+  });
 }
 
 RunEnd run_closed_loop(const ClosedRun& run, TaskRun& result) {

@@ -36,6 +36,11 @@ struct ClosedRun {
 /// without a tool, the frame of the floating base.
 std::vector<Push> with_frames(std::vector<Push> pushes, const Model& model, const SceneSpec& scene);
 
+/// Throws EntryError for "disturbances" if a run would refuse them, such as a push on an unknown
+/// frame or slippery ground under a frame that is not a support. `scene`: nominal scene.
+void check_disturbances(const Model& model, const SceneSpec& scene,
+                        const Disturbances& disturbances);
+
 /// State at the first fault of a run, or at its end.
 struct RunEnd {
   double time = 0.0;  ///< Time of the plant [s].

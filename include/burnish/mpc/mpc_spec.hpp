@@ -140,11 +140,12 @@ struct MpcSpec {
   /// Sensors of tools, feet and hands that the controller reads
   /// @more Measurement.wrenches has one column per entry, in this order. If the tool has no entry,
   /// its force has a column before the others. A NaN in a component that the controller reads makes
-  /// the measurement invalid. If the tool's entry states the sensor `none`,
-  /// the force on the tool is estimated from the change of the torque error at contact. This
-  /// estimate requires that model_error.kind is `torque`. With a sensor at each support, torque
-  /// errors are estimated in all joints, including the joints of supporting legs. A support whose
-  /// rotation is free, such as a point foot, needs no sensor of moments
+  /// the measurement invalid. If the tool's entry states the sensor `none`, the force on the tool
+  /// is estimated from the change of the torque error at contact. This estimate requires that
+  /// model_error.kind is `torque`. With a sensor at each support, torque errors are estimated in
+  /// all joints, including the joints of supporting legs. If only some supports have sensors, the
+  /// others count as rigid contacts. A support whose rotation is free, such as a point foot, needs
+  /// no sensor of moments
   std::vector<TouchSensor> touches = {};
   /// Time between ticks [s]
   double tick_period = 5e-4;
