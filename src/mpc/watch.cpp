@@ -54,6 +54,7 @@ MotorWatch::MotorWatch(const Model& model, const SafetyLimits& limits, double ti
       gap_fraction_(limits.torque_gap),
       effort_(model.effort_limit),
       commanded_(Eigen::VectorXd::Zero(model.nv)),
+      dead_for_(Eigen::VectorXd::Zero(model.nv)),
       lag_(model, tick_period, actuated_) {}
 
 void MotorWatch::look(const MeasurementGate& gate, const ConstVectorRef& tau_before) noexcept {
@@ -64,20 +65,30 @@ void MotorWatch::look(const MeasurementGate& gate, const ConstVectorRef& tau_bef
   const double weight = -std::expm1(-gate.dt() / window);
   for (const int k : actuated_) {
     commanded_[k] += weight * (tau_before[k] - commanded_[k]);
-    if (effort_[k] > 0.0 && std::abs(lag_.gap(k)) > max_gap(k)) lost_ = k;
+    if (effort_[k] <= 0.0) continue;
+    const double gap = std::abs(lag_.gap(k));
+    dead_for_[k] = is_dead(k) && gap > long_dead_factor * gap_fraction_ * effort_[k]
+                       ? dead_for_[k] + gate.dt()
+                       : 0.0;
+    if (gap > max_gap(k)) lost_ = k;
   }
+}
+
+/// Returns true if the motor delivers almost nothing of its command.
+bool MotorWatch::is_dead(int entry) const noexcept {
+  constexpr double dead = 0.2;  // fraction of the commanded torque (see SafetyLimits::torque_gap)
+  const double commanded = commanded_[entry];
+  return std::abs(commanded - lag_.gap(entry)) <= dead * std::abs(commanded);
 }
 
 /// Returns the largest allowed difference between commanded and measured torque of a motor [Nm or
 /// N]. The limit is lower for a motor that delivers almost nothing, so that a dead motor is found
 /// earlier than a weak one.
 double MotorWatch::max_gap(int entry) const noexcept {
-  // Fraction of the commanded torque below which a motor counts as dead, and factor on the limit of
-  // a dead motor (see SafetyLimits::torque_gap).
-  constexpr double dead = 0.2, dead_factor = 0.6;
-  const double measured = std::abs(commanded_[entry] - lag_.gap(entry));
-  const bool delivers = measured > dead * std::abs(commanded_[entry]);
-  return (delivers ? 1.0 : dead_factor) * gap_fraction_ * effort_[entry];
+  const double factor = dead_for_[entry] > long_dead ? long_dead_factor
+                        : is_dead(entry)             ? dead_factor
+                                                     : 1.0;
+  return factor * gap_fraction_ * effort_[entry];
 }
 
 void MotorWatch::watch(double now, FaultLatch& latch) const noexcept {

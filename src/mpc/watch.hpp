@@ -44,6 +44,7 @@ class MotorWatch {
   MotorWatch(const Model& model, const SafetyLimits& limits, double tick_period);
   void reset() noexcept {
     commanded_.setZero();
+    dead_for_.setZero();
     lag_.reset();
     lost_ = -1;
   }
@@ -57,12 +58,20 @@ class MotorWatch {
   double lag() const noexcept { return lag_.seconds(); }
 
  private:
+  // Factors on the limit of a dead motor, at once and after `long_dead` [s] (see
+  // SafetyLimits::torque_gap; chosen by hand). With the limit of the shipped tasks, 0.25, the
+  // second is a tenth of the effort limit.
+  static constexpr double dead_factor = 0.6, long_dead_factor = 0.4, long_dead = 0.1;
+
+  bool is_dead(int entry) const noexcept;
   double max_gap(int entry) const noexcept;
 
   std::vector<int> actuated_;
   double gap_fraction_;  ///< SafetyLimits::torque_gap.
   Eigen::VectorXd effort_;
   Eigen::VectorXd commanded_;  ///< Mean commanded torque, nv [Nm or N].
+  /// Time since when each motor is dead at a difference beyond the lowest limit, nv [s].
+  Eigen::VectorXd dead_for_;
   TorqueLag lag_;
   int lost_ = -1;
 };

@@ -2,6 +2,7 @@
 #include <gtest/gtest.h>
 
 #include <cmath>
+#include <functional>
 
 #include "mpc/descriptions.gen.hpp"
 #include "mpc/measurement_gate.hpp"
@@ -150,12 +151,12 @@ class MotorMonitor : public ::testing::Test {
     watch->watch(m.time, latch);
     text = latch.report.text();
   }
-  Eigen::VectorXd tau_at(double time) const {
-    return effort * (0.3 + 0.6 * std::sin(2.0 * M_PI * 25.0 * time));
-  }
-
   MpcSpec spec = toy_spec();
   Eigen::VectorXd effort;
+  /// Commanded torque at a time [s].
+  std::function<Eigen::VectorXd(double)> tau_at = [this](double time) -> Eigen::VectorXd {
+    return effort * (0.3 + 0.6 * std::sin(2.0 * M_PI * 25.0 * time));
+  };
   std::optional<MotorWatch> watch;
   Measurement m;
   std::string text;
@@ -184,6 +185,24 @@ TEST_F(MotorMonitor, MotorWithoutTorque_IsFoundByJointDespiteDelay) {
     expect_words(text, {"motor lost", "joint '" + spec.problem.model.v_name(2) + "'", "commanded",
                         "as means over 30 ms"});
   }
+}
+
+TEST_F(MotorMonitor, SmallCommand_FindsADeadMotorLaterThanALargeOneAndNoWeakMotor) {
+  tau_at = [this](double) -> Eigen::VectorXd { return 0.12 * effort; };
+  run(0.1, 0.0, 2, 0.0);
+  EXPECT_EQ(watch->lost(), -1) << "below 0.6 of the limit, found at once";
+  run(0.4, 0.0, 2, 0.0);
+  EXPECT_EQ(watch->lost(), 2);
+  watch->reset();
+  m.time = 0.0;
+  run(0.4, 0.0, 2, 0.25);
+  EXPECT_EQ(watch->lost(), -1);
+}
+
+TEST_F(MotorMonitor, CommandAfterRest_IsNoFault) {
+  tau_at = [this](double time) -> Eigen::VectorXd { return (time > 0.5 ? 0.3 : 0.0) * effort; };
+  run(1.0, 15e-3);
+  EXPECT_EQ(watch->lost(), -1);
 }
 
 }  // namespace
