@@ -228,7 +228,7 @@ auto ConstrainedDynamics<S>::settle_contradiction(const auto& open) {
   const int m = active_.rows;
   const std::span<const int> columns(columns_), first = columns.first(1);
   Contradiction<S>& c = contradiction_;
-  find_null_space(tree_, set_, active_, contact_states, mass_, delassus_, solver_.mu, c);
+  find_null_space(tree_, {set_, active_, contact_states}, mass_, delassus_, solver_.mu, c);
   S size(0.0), largest(0.0);
   for (int r = 0; r < m; ++r) c.unmet[r] = rho_[r * stride_];
   remove_null_part(c, S(1.0), m, first, c.unmet.data(), 1);
@@ -342,7 +342,7 @@ void ConstrainedDynamics<S>::factorize_once() {
     mark(singular, Status::SingularMass, state_status_);
     has_mass_factor_ = true;
   }
-  mark(update_delassus(tree_, set_, active_, contact_states, mass_, solver_.mu, delassus_),
+  mark(update_delassus(tree_, {set_, active_, contact_states}, mass_, solver_.mu, delassus_),
        Status::SingularContacts, state_status_);
   has_delassus_ = true;
 }

@@ -68,6 +68,27 @@ void update_curved(const CompiledContact& contact, const CurvedSurface<S>& surfa
   state.axes = {turned(state.axes.c0), turned(state.axes.c1), at.n};
 }
 
+/// Fills state.sliding, except for the normal force. The smoothing speed is fade_speed() of the
+/// friction, divided by the step ratio.
+template <class S>
+BURNISH_INLINE void update_sliding(const CompiledContact& contact, const S& coefficient,
+                                   ContactState<S>& state) {
+  const SlidingFriction& friction = *contact.spec.friction;
+  const Vec3<S> normal = column(state.axes, contact.directions.front());
+  Sliding<S>& at = state.sliding;
+  at.coefficient = coefficient;
+  at.n = normal;
+  at.c = state.p - normal * S(friction.radius);
+  at.nu = state.nu;
+  at.v = at_point(at.nu, at.c).linear;
+  const Vec3<S> across = at.v - normal * dot(normal, at.v);
+  const S speed = S(friction.fade_speed()) / state.step_ratio;
+  at.per_speed = S(1.0) / square_root(S(dot(across, across) + speed * speed));
+  at.s = across * at.per_speed;
+  const Vec3<S> force = at.s * -coefficient;
+  at.per_normal = {force, cross(at.c, force)};
+}
+
 template <class S>
 void update_error(const CompiledContact& contact, const Pose<S>& base, ContactState<S>& state) {
   const Mat3<S> target_R = base.R * lift<S>(contact.target_R);
@@ -122,9 +143,7 @@ void update_contact(const CompiledContact& contact, const Mat3<S>& axes,
       state.eta = turning_at(tool.p, state.v_tool.angular);
       break;
   }
-  if (contact.has_friction)
-    update_sliding(*contact.spec.friction, friction, column(state.axes, contact.directions.front()),
-                   state.step_ratio, state.p, state.nu, state.sliding);
+  if (contact.has_friction) update_sliding(contact, friction, state);
   if (!contact.proportional) return;
   update_error(contact, pose_of<S>(contact.base_body, contact.base_R, contact.base_p, kinematics),
                state);

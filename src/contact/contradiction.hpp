@@ -61,19 +61,20 @@ void orthonormalize(Contradiction<S>& of, int rows) {
 /// Fills the orthonormal basis of the null space, with one vector for each row that depends on
 /// earlier rows. `compliant` is the factor of G + mu 1.
 template <class S>
-void find_null_space(const Tree& tree, const ContactSet& set, const ActiveContacts& active,
-                     const std::vector<ContactState<S>>& states, const MassMatrix<S>& mass,
-                     const Delassus<S>& compliant, double mu, Contradiction<S>& of) {
+void find_null_space(const Tree& tree, const ContactsAtState<S>& contacts,
+                     const MassMatrix<S>& mass, const Delassus<S>& compliant, double mu,
+                     Contradiction<S>& of) {
+  const int rows = contacts.active.rows;
   Delassus<S>& d = of.rigid;
   std::copy(compliant.jacobian_by_v.begin(), compliant.jacobian_by_v.end(),
             d.jacobian_by_v.begin());
   std::fill(d.T.begin(), d.T.end(), S(0.0));
-  update_delassus(tree, set, active, states, mass, 0.0, d);
+  update_delassus(tree, contacts, mass, 0.0, d);
   std::fill(of.basis.begin(), of.basis.end(), S(0.0));
   of.listed.clear();
   const int m = d.stride;
   S* const n = of.basis.data();
-  for (int i = 0; i < active.rows; ++i) {
+  for (int i = 0; i < rows; ++i) {
     const auto dependent = mask_not(less(S(0.0), d.inverse_diagonal[i]));
     if (!any(dependent)) continue;
     of.listed.push_back(i);
@@ -85,14 +86,14 @@ void find_null_space(const Tree& tree, const ContactSet& set, const ActiveContac
       n[k * m + i] = -sum * d.inverse_diagonal[k];
     }
   }
-  contradiction_detail::orthonormalize(of, active.rows);
+  contradiction_detail::orthonormalize(of, rows);
   // Like a proximal iteration, each pass multiplies the components outside the null space (rounding
   // errors) by mu / (mu + s) for an eigenvalue s of G.
   for (int pass = 0; pass < 2; ++pass) {
-    solve_delassus(compliant, active.rows, std::span<const int>(of.listed), n, m);
-    for (int k = 0; k < active.rows; ++k)
+    solve_delassus(compliant, rows, std::span<const int>(of.listed), n, m);
+    for (int k = 0; k < rows; ++k)
       for (const int i : of.listed) n[k * m + i] = n[k * m + i] * S(mu);
-    contradiction_detail::orthonormalize(of, active.rows);
+    contradiction_detail::orthonormalize(of, rows);
   }
 }
 

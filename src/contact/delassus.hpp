@@ -19,6 +19,14 @@ struct ActiveContacts {
   int rows = 0;                ///< Rows of all active contacts
 };
 
+/// Contacts of a set at a state of the robot.
+template <class S>
+struct ContactsAtState {
+  const ContactSet& set;
+  const ActiveContacts& active;
+  const std::vector<ContactState<S>>& states;  ///< State of each contact of the set
+};
+
 /// Contact-space system and its Cholesky factor, filled by update_delassus().
 template <class S>
 struct Delassus {
@@ -41,9 +49,8 @@ struct Delassus {
 /// independence_tolerance times its attainable length (row_size.hpp). With mu > 0, a row is
 /// dependent if its pivot is at most 1e-12 times its diagonal entry.
 template <class S>
-auto update_delassus(const Tree& tree, const ContactSet& set, const ActiveContacts& active,
-                     const std::vector<ContactState<S>>& states, const MassMatrix<S>& mass,
-                     double mu, Delassus<S>& d);
+auto update_delassus(const Tree& tree, const ContactsAtState<S>& contacts,
+                     const MassMatrix<S>& mass, double mu, Delassus<S>& d);
 
 /// Replaces the columns `columns` of X by G^-1 X. X has `rows` rows.
 template <class S>

@@ -105,10 +105,11 @@ auto cholesky(int rows, Delassus<S>& d) {
 }  // namespace delassus_detail
 
 template <class S>
-auto update_delassus(const Tree& tree, const ContactSet& set, const ActiveContacts& active,
-                     const std::vector<ContactState<S>>& states, const MassMatrix<S>& mass,
-                     double mu, Delassus<S>& d) {
+auto update_delassus(const Tree& tree, const ContactsAtState<S>& contacts,
+                     const MassMatrix<S>& mass, double mu, Delassus<S>& d) {
   using namespace delassus_detail;
+  const ContactSet& set = contacts.set;
+  const ActiveContacts& active = contacts.active;
   const auto rows_of = [&](int c) { return static_cast<int>(set.contacts()[c].directions.size()); };
   for (const int c : active.contacts)
     transform_jacobian(tree, set.contacts()[c], mass, active.first_row[c], d);
@@ -128,7 +129,7 @@ auto update_delassus(const Tree& tree, const ContactSet& set, const ActiveContac
     }
   } else {
     for (const int c : active.contacts)
-      set_pivot_bounds(set.contacts()[c], states[c], active.first_row[c], d);
+      set_pivot_bounds(set.contacts()[c], contacts.states[c], active.first_row[c], d);
   }
   return cholesky(active.rows, d);
 }

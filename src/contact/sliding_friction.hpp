@@ -15,7 +15,7 @@
 
 namespace burnish {
 
-/// State of the friction of one contact.
+/// State of the friction of one contact, filled by update_contact().
 template <class S>
 struct Sliding {
   S coefficient;
@@ -27,25 +27,6 @@ struct Sliding {
   Force<S> per_normal;
   S normal_force = S(0.0);  ///< Normal force lambda, filled by set_contact_force() [N]
 };
-
-/// Fills all fields but the normal force. `p` is the tool's origin [m]. The smoothing speed is
-/// friction.fade_speed() / step_ratio.
-template <class S>
-BURNISH_INLINE void update_sliding(const SlidingFriction& friction, const S& coefficient,
-                                   const Vec3<S>& normal, const S& step_ratio, const Vec3<S>& p,
-                                   const Motion<S>& nu, Sliding<S>& at) {
-  at.coefficient = coefficient;
-  at.n = normal;
-  at.c = p - normal * S(friction.radius);
-  at.nu = nu;
-  at.v = at_point(nu, at.c).linear;
-  const Vec3<S> across = at.v - normal * dot(normal, at.v);
-  const S speed = S(friction.fade_speed()) / step_ratio;
-  at.per_speed = S(1.0) / square_root(S(dot(across, across) + speed * speed));
-  at.s = across * at.per_speed;
-  const Vec3<S> force = at.s * -coefficient;
-  at.per_normal = {force, cross(at.c, force)};
-}
 
 /// Returns the change of the friction force, per unit of lambda, when the tangential velocity
 /// changes by dv_across while the normal n and the point c of friction are constant.

@@ -79,7 +79,6 @@ class ConstrainedDerivatives {
   std::vector<std::vector<int>> segment_rows_;      ///< Segment::related and rows of its contacts
   std::vector<int> all_columns_, contact_rows_, supported_columns_;
   std::vector<char> supported_;
-  std::vector<Coriolis<S>> coriolis_;
   ArticulatedSolver<S> articulated_;
   std::vector<S> factor_inverse_;  ///< L^-T, row-major: entry (k, i) for ancestors k of i
   std::vector<S> Z_;               ///< J M^-1, rows x nv

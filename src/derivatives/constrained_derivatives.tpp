@@ -50,7 +50,6 @@ template <class S>
 ConstrainedDerivatives<S>::ConstrainedDerivatives(const ConstrainedDynamics<S>& dynamics)
     : n_(dynamics.nv()),
       contacts_without_gains_(dynamics.set().contacts()),
-      coriolis_(dynamics.tree().joints.size()),
       articulated_(dynamics.tree()) {
   using namespace derivatives_detail;
   const Tree& tree = dynamics.tree();
@@ -124,7 +123,7 @@ void ConstrainedDerivatives<S>::fill_contact_rows(ConstrainedDynamics<S>& dynami
                                           dynamics.inverse_dynamics(), state);
     const int offset = (n_ + active.first_row[c]) * n_;
     contact_acceleration_derivatives(contact, dynamics.kinematics(), dynamics.inverse_dynamics(),
-                                     state, at, rhs_q.data() + offset, rhs_v.data() + offset, n_);
+                                     state, at, {rhs_q.data() + offset, rhs_v.data() + offset, n_});
   }
 }
 
@@ -141,7 +140,7 @@ void ConstrainedDerivatives<S>::fill_joint_rows(ConstrainedDynamics<S>& dynamics
       }
   }
   inverse_dynamics_derivatives(dynamics.tree(), dynamics.kinematics(), dynamics.mass(),
-                               dynamics.inverse_dynamics(), coriolis_, rhs_q.data(), rhs_v.data());
+                               dynamics.inverse_dynamics(), rhs_q.data(), rhs_v.data());
   for (const int c : active.contacts)
     subtract_force_transport(dynamics.set().contacts()[c], dynamics.kinematics(),
                              dynamics.contact_states[c], rhs_q.data(), n_);

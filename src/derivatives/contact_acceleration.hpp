@@ -6,6 +6,7 @@
 #pragma once
 
 #include "contact/contact_kinematics.hpp"
+#include "dynamics/columns.hpp"
 #include "dynamics/inverse_dynamics.hpp"
 
 namespace burnish {
@@ -26,13 +27,12 @@ ContactAccelerations<S> contact_accelerations(const Tree& tree, const CompiledCo
                                               const ContactState<S>& state);
 
 /// Computes minus the derivatives of contact_acceleration() by q and v at constant joint
-/// acceleration. Writes out[row * stride + v] for the entries v of `influences`.
+/// acceleration. Writes column v for each entry v of `influences`.
 template <class S>
 void contact_acceleration_derivatives(const CompiledContact& contact,
                                       const Kinematics<S>& kinematics, const InverseDynamics<S>& id,
                                       const ContactState<S>& state,
-                                      const ContactAccelerations<S>& at, S* minus_dq, S* minus_dv,
-                                      int stride);
+                                      const ContactAccelerations<S>& at, StateDerivatives<S> minus);
 
 /// Subtracts from dtau_dq (nv x nv, row-major) the term that the motion of the reference adds to
 /// d(J^T lambda)/dq (Proposition 4, eq. 32). Without this term, dtau_dq treats the wrench as moving

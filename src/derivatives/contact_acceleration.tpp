@@ -278,8 +278,8 @@ BURNISH_INLINE void subtract_rows(const CompiledContact& contact, const ContactS
 template <bool two_bodies, class S>
 void acceleration_derivatives(const CompiledContact& contact, const Kinematics<S>& kinematics,
                               const InverseDynamics<S>& id, const ContactState<S>& state,
-                              const ContactAccelerations<S>& at, S* minus_dq, S* minus_dv,
-                              int stride) {
+                              const ContactAccelerations<S>& at, StateDerivatives<S> minus) {
+  const int stride = minus.stride;
   const AtTool<S> there{at_point(state.nu, state.p), at_point(at.alpha, state.p)};
   const ContactSpec& spec = contact.spec;
   S kd[6], kp[6];  // gains of constrained directions, scaled by the step ratio
@@ -294,8 +294,8 @@ void acceleration_derivatives(const CompiledContact& contact, const Kinematics<S
     const EntryRates<S> rates = contact.reference.at_tool
                                     ? rates_at_tool(contact, entry, kinematics, state, there, m)
                                     : rates_anywhere(contact, entry, kinematics, state, at, m);
-    S* out_q = minus_dq + entry.v;
-    S* out_v = minus_dv + entry.v;
+    S* out_q = minus.dq + entry.v;
+    S* out_v = minus.dv + entry.v;
     int r = 0;
     for (const int d : contact.directions) {
       out_q[r * stride] = -component(state.axes, rates.dq, d);
@@ -317,13 +317,13 @@ template <class S>
 void contact_acceleration_derivatives(const CompiledContact& contact,
                                       const Kinematics<S>& kinematics, const InverseDynamics<S>& id,
                                       const ContactState<S>& state,
-                                      const ContactAccelerations<S>& at, S* minus_dq, S* minus_dv,
-                                      int stride) {
+                                      const ContactAccelerations<S>& at,
+                                      StateDerivatives<S> minus) {
   using contact_detail::acceleration_derivatives;
   if (contact_detail::moves_with_tool_alone(contact)) {
-    acceleration_derivatives<false>(contact, kinematics, id, state, at, minus_dq, minus_dv, stride);
+    acceleration_derivatives<false>(contact, kinematics, id, state, at, minus);
   } else {
-    acceleration_derivatives<true>(contact, kinematics, id, state, at, minus_dq, minus_dv, stride);
+    acceleration_derivatives<true>(contact, kinematics, id, state, at, minus);
   }
 }
 

@@ -11,6 +11,7 @@
 // k that move the frame or the reference; all other entries are zero.
 #pragma once
 
+#include "dynamics/columns.hpp"
 #include "dynamics/frame_kinematics.hpp"
 
 namespace burnish {
@@ -34,7 +35,7 @@ void frame_velocity_derivative(const CompiledFrame& frame, const FrameReference<
 template <class S>
 void frame_acceleration_derivatives(const CompiledFrame& frame, const FrameReference<S>& reference,
                                     const Kinematics<S>& kinematics, const InverseDynamics<S>& id,
-                                    const FrameState<S>& state, S* dq, S* dv, int stride);
+                                    const FrameState<S>& state, StateDerivatives<S> out);
 
 /// Computes dp/dq of the frame's origin in world axes, 3 x nv.
 template <class S>

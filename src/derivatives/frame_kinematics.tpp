@@ -23,7 +23,7 @@ void frame_velocity_derivative(const CompiledFrame& frame, const FrameReference<
 template <class S>
 void frame_acceleration_derivatives(const CompiledFrame& frame, const FrameReference<S>& reference,
                                     const Kinematics<S>& kinematics, const InverseDynamics<S>& id,
-                                    const FrameState<S>& state, S* dq, S* dv, int stride) {
+                                    const FrameState<S>& state, StateDerivatives<S> out) {
   if (frame.body < 0) return;
   // psi''_k is computed with a_lambda - g in place of a_lambda. The product of S_k and a must
   // therefore use a - g too. Then the terms g x S_k and S_k x g cancel.
@@ -45,8 +45,8 @@ void frame_acceleration_derivatives(const CompiledFrame& frame, const FrameRefer
       by_q += a_by_q - cross(V, turned + axis.parent_rate);
       by_v += turned + axis.rate_sum - cross(V, axis.axis);
     }
-    store_column(in_reference(compiled, at, by_q), dq + v, stride);
-    store_column(in_reference(compiled, at, by_v), dv + v, stride);
+    store_column(in_reference(compiled, at, by_q), out.dq + v, out.stride);
+    store_column(in_reference(compiled, at, by_v), out.dv + v, out.stride);
   });
 }
 

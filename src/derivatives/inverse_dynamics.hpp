@@ -2,8 +2,6 @@
 // coordinates (Singh, Russell, Wensing 2022; see docs/theory.md).
 #pragma once
 
-#include <vector>
-
 #include "dynamics/inverse_dynamics.hpp"
 
 namespace burnish {
@@ -12,10 +10,10 @@ namespace burnish {
 /// wrenches move rigidly with their bodies.
 ///
 /// Writes only the entries of related joints, or all entries if axes share entries of v. Requires
-/// accelerate(). Sums id.force over subtrees. `coriolis_of` is scratch, one entry per body.
+/// accelerate(). Sums id.force over subtrees.
 template <class S>
 void inverse_dynamics_derivatives(const Tree& tree, const Kinematics<S>& kinematics,
-                                  const MassMatrix<S>& mass, InverseDynamics<S>& id,
-                                  std::vector<Coriolis<S>>& coriolis_of, S* dtau_dq, S* dtau_dv);
+                                  const MassMatrix<S>& mass, InverseDynamics<S>& id, S* dtau_dq,
+                                  S* dtau_dv);
 
 }  // namespace burnish

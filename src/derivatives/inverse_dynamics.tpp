@@ -8,8 +8,8 @@ namespace burnish {
 
 template <class S>
 void inverse_dynamics_derivatives(const Tree& tree, const Kinematics<S>& kinematics,
-                                  const MassMatrix<S>& mass, InverseDynamics<S>& id,
-                                  std::vector<Coriolis<S>>& coriolis_of, S* dtau_dq, S* dtau_dv) {
+                                  const MassMatrix<S>& mass, InverseDynamics<S>& id, S* dtau_dq,
+                                  S* dtau_dv) {
   const int n = tree.axes;
   const auto& parent = tree.parent_of_axis;
   S* const dq = tree.shares_entries() ? id.dq_by_axis.data() : dtau_dq;
@@ -17,12 +17,12 @@ void inverse_dynamics_derivatives(const Tree& tree, const Kinematics<S>& kinemat
   const S two(2.0);
   for (int i = 0; i < tree.bodies(); ++i) {
     const BodyState<S>& body = kinematics.bodies[i];
-    coriolis_of[i] = coriolis(body.inertia, body.v, body.momentum.linear);
+    id.coriolis[i] = coriolis(body.inertia, body.v, body.momentum.linear);
   }
   for (int i = tree.bodies() - 1; i >= 0; --i) {
     const TreeJoint& joint = tree.joints[i];
     const Inertia<S>& I = mass.composite[i];
-    const Coriolis<S> B = coriolis_of[i];
+    const Coriolis<S> B = id.coriolis[i];
     const Force<S> f = id.force[i] + mass.composite_bias[i];
     for (int k = joint.axis; k < joint.axis + joint.nv; ++k) {
       const AxisState<S>& axis = kinematics.axes[k];
@@ -50,7 +50,7 @@ void inverse_dynamics_derivatives(const Tree& tree, const Kinematics<S>& kinemat
       for (; j >= 0; j = parent[j]) pair(j);
     }
     if (joint.parent >= 0) {
-      coriolis_of[joint.parent] += B;
+      id.coriolis[joint.parent] += B;
       id.force[joint.parent] += id.force[i];
     }
   }

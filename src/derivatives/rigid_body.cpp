@@ -228,7 +228,7 @@ void RigidBody::frame_derivatives(int frame, const Reference& reference,
   burnish::frame_jacobian(compiled, seen_in, at.pose, impl_->kinematics, out.jacobian.data(), n);
   frame_velocity_derivative(compiled, at, impl_->kinematics, state, out.velocity_dq.data(), n);
   frame_acceleration_derivatives(compiled, at, impl_->kinematics, impl_->inverse_dynamics, state,
-                                 out.acceleration_dq.data(), out.acceleration_dv.data(), n);
+                                 {out.acceleration_dq.data(), out.acceleration_dv.data(), n});
 }
 
 Vector6 RigidBody::placement_error(int frame, const Eigen::Isometry3d& target) const {

@@ -8,7 +8,7 @@
                                           const Kinematics<S>&, const FrameState<S>&, S*, int);  \
   template void frame_acceleration_derivatives(const CompiledFrame&, const FrameReference<S>&,   \
                                                const Kinematics<S>&, const InverseDynamics<S>&,  \
-                                               const FrameState<S>&, S*, S*, int);               \
+                                               const FrameState<S>&, StateDerivatives<S>);       \
   template void frame_position_derivative(const CompiledFrame&, const Kinematics<S>&,            \
                                           const FrameState<S>&, S*, int);                        \
   template void frame_rotation_derivative(const CompiledFrame&, const Kinematics<S>&,            \

@@ -1,9 +1,16 @@
-// Functions that write spatial vectors into columns of row-major matrices.
+// Row-major matrices of derivatives, and functions that write spatial vectors into their columns.
 #pragma once
 
 #include "math/spatial.hpp"
 
 namespace burnish {
+
+/// Derivatives by q and v: two row-major matrices whose rows are `stride` apart.
+template <class S>
+struct StateDerivatives {
+  S *dq, *dv;
+  int stride;
+};
 
 /// Writes three rows of a column: out[0], out[stride] and out[2 stride].
 template <class S>

@@ -19,7 +19,8 @@ struct InverseDynamics {
   std::vector<Motion<S>> axis_acc;
   /// inertia * a_joint minus the applied wrench of each body; the sweep sums it over subtrees
   std::vector<Force<S>> force;
-  std::vector<S> tau;  ///< Joint torques, nv
+  std::vector<S> tau;                 ///< Joint torques, nv
+  std::vector<Coriolis<S>> coriolis;  ///< Scratch memory of inverse_dynamics_derivatives()
   // Scratch memory, only for trees in which an entry of v can have several axes:
   std::vector<S> tau_by_axis, dq_by_axis, dv_by_axis;
 };

@@ -12,7 +12,8 @@ InverseDynamics<S>::InverseDynamics(const Tree& tree)
     : a_joint(tree.joints.size()),
       axis_acc(to_size(tree.axes) + tree.sums.size()),
       force(tree.joints.size()),
-      tau(to_size(tree.nv), S(0.0)) {
+      tau(to_size(tree.nv), S(0.0)),
+      coriolis(tree.joints.size()) {
   if (!tree.shares_entries()) return;
   tau_by_axis.assign(to_size(tree.axes), S(0.0));
   for (auto* matrix : {&dq_by_axis, &dv_by_axis})

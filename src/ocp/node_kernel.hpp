@@ -11,6 +11,12 @@
 
 namespace burnish::ocp {
 
+/// Memory for a residual r, its Jacobian blocks J and its curvature vectors; null: not wanted.
+template <class S>
+struct ResidualOutput {
+  S *r, *J = nullptr, *curvatures = nullptr;
+};
+
 /// Evaluates knots. Workspace of one thread; only the constructor allocates.
 template <class S>
 class NodeKernel {
@@ -35,14 +41,18 @@ class NodeKernel {
   /// Returns the cost and status of a lane. If a value is not finite, also the first term or row
   /// that is not finite.
   KnotValue outcome(const CompiledStage& stage, int lane) const;
-  /// Evaluates one term at x and u: the residual r and, unless J is null, its Jacobian blocks J.
-  void residual_at(const CompiledStage& stage, const CompiledTerm& term, const S* x, const S* u,
-                   const S* targets, const KnotTime<S>& when, S* r, S* J);
   /// Computes only accelerations and contact forces, in dynamics().
   void evaluate_dynamics(const CompiledStage& stage, const S* x, const S* u, const S* targets,
                          const KnotTime<S>& when) {
     load(stage, targets, when);
     dynamics_.values(stage, x, u);
+  }
+  /// Evaluates one term at the point of the last evaluate_dynamics(), with the same targets.
+  /// `times` is KnotTime::times.
+  void residual_at(const CompiledStage& stage, const CompiledTerm& term, const S* targets,
+                   const double* times, const ResidualOutput<S>& out) {
+    if (out.J != nullptr) dynamics_.derivatives(stage);
+    residual(stage, term, targets, times, out);
   }
   const StageDynamics<S>& dynamics() const { return dynamics_; }
 
@@ -59,7 +69,7 @@ class NodeKernel {
 
  private:
   void residual(const CompiledStage& stage, const CompiledTerm& term, const S* targets,
-                const double* times, S* r, S* J, S* curvatures = nullptr);
+                const double* times, const ResidualOutput<S>& out);
   void load(const CompiledStage& stage, const S* targets, const KnotTime<S>& when);
   void add_costs(const CompiledStage& stage, const S* targets, const KnotTime<S>& when,
                  bool expand);

@@ -58,28 +58,19 @@ NodeKernel<S>::NodeKernel(const CompiledProblem& problem)
 
 template <class S>
 void NodeKernel<S>::residual(const CompiledStage& stage, const CompiledTerm& term, const S* targets,
-                             const double* times, S* r, S* J, S* curvatures_of_row) {
+                             const double* times, const ResidualOutput<S>& out) {
   const KnotState<S>& knot = dynamics_.knot();
   std::visit(
       [&](const auto& compiled) {
         if constexpr (std::is_same_v<std::decay_t<decltype(compiled)>, CustomResidual>) {
-          custom_->evaluate(stage, compiled, knot, times, r, J);
+          custom_->evaluate(stage, compiled, knot, times, out.r, out.J);
         } else if constexpr (requires { compiled.curvature_rows(); }) {
-          compiled.evaluate(knot, targets + term.target, r, J, curvatures_of_row);
+          compiled.evaluate(knot, targets + term.target, out.r, out.J, out.curvatures);
         } else {
-          compiled.evaluate(knot, targets + term.target, r, J);
+          compiled.evaluate(knot, targets + term.target, out.r, out.J);
         }
       },
       term.residual);
-}
-
-template <class S>
-void NodeKernel<S>::residual_at(const CompiledStage& stage, const CompiledTerm& term, const S* x,
-                                const S* u, const S* targets, const KnotTime<S>& when, S* r, S* J) {
-  load(stage, targets, when);
-  dynamics_.values(stage, x, u);
-  if (J != nullptr) dynamics_.derivatives(stage);
-  residual(stage, term, targets, when.times, r, J);
 }
 
 template <class S>
@@ -132,7 +123,8 @@ void NodeKernel<S>::add_costs(const CompiledStage& stage, const S* targets, cons
   cost = S(0.0);
   for (std::size_t t = 0; t < stage.costs; ++t) {
     const CompiledTerm& term = stage.terms[t];
-    residual(stage, term, targets, when.times, r_.data(), expand ? jacobian_.data() : nullptr);
+    residual(stage, term, targets, when.times,
+             {.r = r_.data(), .J = expand ? jacobian_.data() : nullptr});
     const S scale = S(term.weight) * when.weight;
     S sum(0.0), largest(0.0);
     for (int i = 0; i < term.rows; ++i) {
@@ -166,12 +158,14 @@ void NodeKernel<S>::add_constraints(const CompiledStage& stage, const S* targets
   }
   for (const CompiledTerm& term : stage.constraints()) {
     const bool differentiate = expand && term.first_coefficients >= 0;
-    residual(stage, term, targets, times, row_values.data() + term.first_row,
-             differentiate ? jacobian_.data() : nullptr,
-             differentiate && term.first_curvature >= 0 ? curvatures_.data() : nullptr);
+    const bool curved = differentiate && term.first_curvature >= 0;
+    residual(stage, term, targets, times,
+             {.r = row_values.data() + term.first_row,
+              .J = differentiate ? jacobian_.data() : nullptr,
+              .curvatures = curved ? curvatures_.data() : nullptr});
     if (!differentiate) continue;
     store_rows(term);
-    if (term.first_curvature >= 0) store_curvatures(term);
+    if (curved) store_curvatures(term);
   }
 }
 

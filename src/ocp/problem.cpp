@@ -158,21 +158,20 @@ Eigen::VectorXd Problem::residual(int knot, int term, const ConstVectorRef& x,
                                   const ConstVectorRef& u) {
   const ocp::CompiledTerm& compiled = impl_->term("residual", knot, term);
   Eigen::VectorXd r(compiled.rows);
-  impl_->check_point(knot, x, u);
-  impl_->worker(0).one.residual_at(impl_->stage(knot), compiled, x.data(), u.data(),
-                                   impl_->targets_of(knot), impl_->when(knot), r.data(), nullptr);
+  impl_->evaluate_one(knot, x, u);
+  impl_->worker(0).one.residual_at(impl_->stage(knot), compiled, impl_->targets_of(knot),
+                                   impl_->when(knot).times, {.r = r.data()});
   return r;
 }
 
 RowMatrix Problem::residual_derivative(int knot, int term, const ConstVectorRef& x,
                                        const ConstVectorRef& u) {
   const ocp::CompiledTerm& compiled = impl_->term("residual_derivative", knot, term);
-  const ocp::CompiledStage& stage = impl_->stage(knot);
-  impl_->check_point(knot, x, u);
   std::vector<double> r(to_size(compiled.rows));
   std::vector<double> blocks(to_size(compiled.jacobian_size) + 1);
-  impl_->worker(0).one.residual_at(stage, compiled, x.data(), u.data(), impl_->targets_of(knot),
-                                   impl_->when(knot), r.data(), blocks.data());
+  impl_->evaluate_one(knot, x, u);
+  impl_->worker(0).one.residual_at(impl_->stage(knot), compiled, impl_->targets_of(knot),
+                                   impl_->when(knot).times, {.r = r.data(), .J = blocks.data()});
   RowMatrix J = RowMatrix::Zero(compiled.rows, layout().nz());
   const double* from = blocks.data();
   for (const ocp::JacobianBlock& block : compiled.blocks) {
@@ -285,11 +284,11 @@ KnotValue Problem::roll(int worker, int knot, const double* x, const double* u, 
 }
 void Problem::evaluate(int worker, KnotRange range, TrajectoryView at, double* next,
                        KnotValue* values, double* rows) {
-  impl_->run(worker, range, at, next, values, rows, nullptr);
+  impl_->run(worker, range, at, {.next = next, .values = values, .rows = rows});
 }
 void Problem::expand(int worker, KnotRange range, TrajectoryView at, double* next,
                      KnotValue* values, KnotExpansion* out) {
-  impl_->run(worker, range, at, next, values, nullptr, out);
+  impl_->run(worker, range, at, {.next = next, .values = values, .expansions = out});
 }
 
 std::vector<std::string> Problem::state_names() const {

@@ -22,11 +22,18 @@ Worker::Worker(const CompiledProblem& problem)
 
 namespace {
 
+/// Row-major matrix of packs, `stride` between rows.
+struct PackMatrix {
+  const NativePack* data;
+  int rows, columns, stride;
+};
+
 /// Implements scatter_rows(). Inlined, so that `lanes` can be a compile-time constant.
-BURNISH_INLINE void scatter_lanes(const NativePack* from, int rows, int columns, int stride,
-                                  int lanes, double* const* out, int out_stride) {
-  for (int r = 0; r < rows; ++r) {
-    const NativePack* const row = from + r * stride;
+BURNISH_INLINE void scatter_lanes(const PackMatrix& from, int lanes, double* const* out,
+                                  int out_stride) {
+  const int columns = from.columns;
+  for (int r = 0; r < from.rows; ++r) {
+    const NativePack* const row = from.data + r * from.stride;
     int c = 0;
     for (; c + native_lanes <= columns; c += native_lanes)
       unpack(row + c, lanes, [&](int l) { return out[l] + r * out_stride + c; });
@@ -35,14 +42,12 @@ BURNISH_INLINE void scatter_lanes(const NativePack* from, int rows, int columns,
   }
 }
 
-/// Copies a matrix of rows x columns packs (row-major, `stride` between rows): lane l goes to
-/// out[l].
-void scatter_rows(const NativePack* from, int rows, int columns, int stride, int lanes,
-                  double* const* out, int out_stride) {
+/// Copies a matrix: lane l goes to out[l].
+void scatter_rows(const PackMatrix& from, int lanes, double* const* out, int out_stride) {
   if (lanes == native_lanes) {
-    scatter_lanes(from, rows, columns, stride, native_lanes, out, out_stride);
+    scatter_lanes(from, native_lanes, out, out_stride);
   } else {
-    scatter_lanes(from, rows, columns, stride, lanes, out, out_stride);
+    scatter_lanes(from, lanes, out, out_stride);
   }
 }
 
@@ -315,8 +320,7 @@ void Problem::Impl::gather(ocp::Worker& worker, KnotRange range, TrajectoryView 
   }
 }
 
-void Problem::Impl::run(int index, KnotRange range, TrajectoryView at, double* next,
-                        KnotValue* values, double* rows, KnotExpansion* out) {
+void Problem::Impl::run(int index, KnotRange range, TrajectoryView at, const RangeOutput& out) {
   ocp::Worker& w = worker(index);
   const ocp::CompiledStage& at_stage = stage(range.begin);
   ocp::KnotTime<NativePack> time;
@@ -325,9 +329,9 @@ void Problem::Impl::run(int index, KnotRange range, TrajectoryView at, double* n
   for (int l = 0; l < native_lanes; ++l)
     lane_times[l] = times[to_size(std::min(range.begin + l, range.end - 1))];
   time.times = lane_times;
-  if (out != nullptr) {
+  if (out.expansions != nullptr) {
     w.pack.expand(at_stage, w.x.data(), w.u.data(), w.targets.data(), time);
-    store_expansion(w, at_stage, range, out);
+    store_expansion(w, at_stage, range, out.expansions);
   } else {
     w.pack.values(at_stage, w.x.data(), w.u.data(), w.targets.data(), time);
   }
@@ -336,11 +340,11 @@ void Problem::Impl::run(int index, KnotRange range, TrajectoryView at, double* n
     const int l = k - range.begin;
     if (!at_stage.terminal)
       for (int i = 0; i < nx; ++i)
-        next[static_cast<std::ptrdiff_t>(k) * nx + i] = w.pack.next[to_size(i)].v[l];
-    values[k] = w.pack.outcome(at_stage, l);
-    if (rows == nullptr) continue;
+        out.next[static_cast<std::ptrdiff_t>(k) * nx + i] = w.pack.next[to_size(i)].v[l];
+    out.values[k] = w.pack.outcome(at_stage, l);
+    if (out.rows == nullptr) continue;
     for (int r = 0; r < at_stage.rows(); ++r)
-      rows[k * compiled.largest_limited_rows + r] = w.pack.row_values[to_size(r)].v[l];
+      out.rows[k * compiled.largest_limited_rows + r] = w.pack.row_values[to_size(r)].v[l];
   }
 }
 
@@ -356,32 +360,33 @@ void Problem::Impl::store_expansion(const ocp::Worker& w, const ocp::CompiledSta
   };
   const int stride = out[range.begin].stride;
   collect(&KnotExpansion::gradient);
-  ocp::scatter_rows(w.pack.gradient.data() + skip, 1, nz - skip, nz, lanes, to, stride);
+  ocp::scatter_rows({w.pack.gradient.data() + skip, 1, nz - skip, nz}, lanes, to, stride);
   collect(&KnotExpansion::hessian);
-  ocp::scatter_rows(w.pack.hessian.data() + skip * nz + skip, nz - skip, nz - skip, nz, lanes, to,
+  ocp::scatter_rows({w.pack.hessian.data() + skip * nz + skip, nz - skip, nz - skip, nz}, lanes, to,
                     stride);
   if (const int rows = at_stage.rows(); rows > 0 && out[range.begin].rows != nullptr) {
     collect(&KnotExpansion::row_values);
-    ocp::scatter_rows(w.pack.row_values.data(), 1, rows, rows, lanes, to, rows);
+    ocp::scatter_rows({w.pack.row_values.data(), 1, rows, rows}, lanes, to, rows);
     collect(&KnotExpansion::rows);
-    ocp::scatter_rows(w.pack.rows.data() + skip, at_stage.coefficient_rows, nz - skip, nz, lanes,
+    ocp::scatter_rows({w.pack.rows.data() + skip, at_stage.coefficient_rows, nz - skip, nz}, lanes,
                       to, stride);
     if (at_stage.curvature_rows > 0 && out[range.begin].curvatures != nullptr) {
       collect(&KnotExpansion::curvatures);
-      ocp::scatter_rows(w.pack.curvatures.data() + skip, at_stage.curvature_rows, nz - skip, nz,
+      ocp::scatter_rows({w.pack.curvatures.data() + skip, at_stage.curvature_rows, nz - skip, nz},
                         lanes, to, stride);
     }
   }
   if (at_stage.terminal) return;
   const bool dense = at_stage.dense;
   collect(&KnotExpansion::dynamics);
-  ocp::scatter_rows(w.pack.dynamics_by_z.data() + skip, dense ? layout.ndx() : layout.nv, nz - skip,
-                    nz, lanes, to, stride);
+  ocp::scatter_rows(
+      {w.pack.dynamics_by_z.data() + skip, dense ? layout.ndx() : layout.nv, nz - skip, nz}, lanes,
+      to, stride);
   const int tangent_blocks =
       compiled.blocks.empty() ? 0 : static_cast<int>(w.pack.tangent_blocks.size());
   collect(&KnotExpansion::tangent_blocks);
   if (tangent_blocks > 0 && !dense)
-    ocp::scatter_rows(w.pack.tangent_blocks.data(), 1, tangent_blocks, tangent_blocks, lanes, to,
+    ocp::scatter_rows({w.pack.tangent_blocks.data(), 1, tangent_blocks, tangent_blocks}, lanes, to,
                       tangent_blocks);
   for (int l = 0; l < lanes; ++l) {
     KnotExpansion& knot = out[range.begin + l];

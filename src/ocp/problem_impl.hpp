@@ -92,8 +92,14 @@ struct Problem::Impl {
   const ocp::StageDynamics<double>& evaluate_one(int knot, const ConstVectorRef& x,
                                                  const ConstVectorRef& u);
   KnotValue roll(int index, int knot, const double* x, const double* u, double* next, double* rows);
-  void run(int index, KnotRange range, TrajectoryView at, double* next, KnotValue* values,
-           double* rows, KnotExpansion* out);
+  /// Memory for the results of evaluate() (rows) or expand() (expansions); null: not wanted.
+  struct RangeOutput {
+    double* next;
+    KnotValue* values;
+    double* rows = nullptr;
+    KnotExpansion* expansions = nullptr;
+  };
+  void run(int index, KnotRange range, TrajectoryView at, const RangeOutput& out);
   void gather(ocp::Worker& worker, KnotRange range, TrajectoryView at,
               ocp::KnotTime<NativePack>& time) const;
   void store_expansion(const ocp::Worker& worker, const ocp::CompiledStage& stage, KnotRange range,

@@ -23,20 +23,19 @@ void store(const Motion<S>& m, S* out) {
   store(m.angular, out + 3);
 }
 
-/// Copies the columns of the given `entries` of v from `full` into J, side by side from column
-/// `first` of J on. `full` has nv columns and J has `columns` columns.
+/// Copies the columns of the given `entries` of v from `full` to `out`, side by side. `full` is
+/// 6 x nv; the rows of `out` are `stride` apart.
 template <class S, class Entry>
-void keep_columns(const S* full, int rows, int nv, const std::vector<Entry>& entries, S* J,
-                  int columns, int first) {
+void keep_columns(const S* full, int nv, const std::vector<Entry>& entries, S* out, int stride) {
   const auto index = [](const auto& entry) {
     if constexpr (std::is_same_v<Entry, int>)
       return entry;
     else
       return entry.v;
   };
-  for (int i = 0; i < rows; ++i)
+  for (int i = 0; i < 6; ++i)
     for (std::size_t k = 0; k < entries.size(); ++k)
-      J[i * columns + first + static_cast<int>(k)] = full[i * nv + index(entries[k])];
+      out[i * stride + static_cast<int>(k)] = full[i * nv + index(entries[k])];
 }
 
 /// Calls visit(turn) for every entry of v that moves a frame or its reference. `turn` is the
@@ -212,8 +211,8 @@ void FramePlacementError::evaluate(const KnotState<S>& knot, const S* target, S*
   const int nv = knot.layout->nv;
   frame_placement_error_derivative(compiled, knot.dynamics->kinematics(), state, error,
                                    knot.scratch, nv);
-  frame_detail::keep_columns(knot.scratch, 6, nv, compiled.support, J,
-                             static_cast<int>(compiled.support.size()), 0);
+  frame_detail::keep_columns(knot.scratch, nv, compiled.support, J,
+                             static_cast<int>(compiled.support.size()));
 }
 
 template <class S>
@@ -229,9 +228,9 @@ void FrameVelocityError::evaluate(const KnotState<S>& knot, const S* target, S* 
   const int by_q = static_cast<int>(view.entries.size());
   const int columns = by_q + static_cast<int>(compiled.support.size());
   frame_velocity_derivative(compiled, seen, kinematics, state, knot.scratch, nv);
-  frame_detail::keep_columns(knot.scratch, 6, nv, view.entries, J, columns, 0);
+  frame_detail::keep_columns(knot.scratch, nv, view.entries, J, columns);
   frame_jacobian(compiled, view.reference, seen.pose, kinematics, knot.scratch, nv);
-  frame_detail::keep_columns(knot.scratch, 6, nv, compiled.support, J, columns, by_q);
+  frame_detail::keep_columns(knot.scratch, nv, compiled.support, J + by_q, columns);
 }
 
 }  // namespace burnish::ocp

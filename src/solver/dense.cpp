@@ -14,17 +14,17 @@ BURNISH_INLINE void load_transposed(const double* from, int stride, Lane* rows) 
 
 }  // namespace
 
-void transpose_copy(Rows a, int m, int n, double* b, int stride) {
+void transpose_copy(Rows a, int m, int n, MutableRows b) {
   for (int i = 0; i < m; i += lanes)
     for (int j = 0; j < n; j += lanes) {
       Lane rows[lanes];
       load_transposed(a.data + i * a.stride + j, a.stride, rows);
       const int high = std::min(lanes, n - j);
-      for (int r = 0; r < high; ++r) store(b + (j + r) * stride + i, rows[r]);
+      for (int r = 0; r < high; ++r) store(b.data + (j + r) * b.stride + i, rows[r]);
     }
 }
 
-void mirror_lower(Rows a, Range rows_of_b, double* b, int stride) {
+void mirror_lower(Rows a, Range rows_of_b, MutableRows b) {
   const int n = rows_of_b.end;
   for (int i = rows_of_b.begin; i < n; i += lanes) {
     const int high = std::min(lanes, n - i);
@@ -34,9 +34,9 @@ void mirror_lower(Rows a, Range rows_of_b, double* b, int stride) {
 #pragma GCC unroll 8
       for (int r = 0; r < lanes; ++r) turned[r] = rows[r] = load(a.data + (i + r) * a.stride + j);
       transpose(turned);
-      for (int r = 0; r < high; ++r) store(b + (i + r) * stride + j, rows[r]);
+      for (int r = 0; r < high; ++r) store(b.data + (i + r) * b.stride + j, rows[r]);
 #pragma GCC unroll 8
-      for (int r = 0; r < lanes; ++r) store(b + (j + r) * stride + i, turned[r]);
+      for (int r = 0; r < lanes; ++r) store(b.data + (j + r) * b.stride + i, turned[r]);
     }
     Lane rows[lanes];
     Lane turned[lanes];
@@ -46,7 +46,8 @@ void mirror_lower(Rows a, Range rows_of_b, double* b, int stride) {
     Lane column;
     for (int l = 0; l < lanes; ++l) Lanes<Lane>::set(column, l, l);
     for (int r = 0; r < high; ++r)
-      store(b + (i + r) * stride + i, select(less(Lane(r + 0.5), column), turned[r], rows[r]));
+      store(b.data + (i + r) * b.stride + i,
+            select(less(Lane(r + 0.5), column), turned[r], rows[r]));
   }
 }
 
@@ -161,7 +162,7 @@ int partial_cholesky(double* y, int stride, int nu, Range columns, double* inver
     const auto subtract = [&](Range span) {
       if (first > 0 && span.begin < span.end)
         product<Update::Subtract>({y + first, stride, 1}, {y + span.begin, stride}, first, rows,
-                                  span.end - span.begin, block + span.begin, stride);
+                                  span.end - span.begin, {block + span.begin, stride});
     };
     subtract(near);
     subtract(far);
@@ -172,49 +173,37 @@ int partial_cholesky(double* y, int stride, int nu, Range columns, double* inver
   return -1;
 }
 
-void solve_gains(const double* y, int stride, int nu, int first_of_z, int n,
-                 const double* inverse_diagonal, double* x, int x_stride) {
-  const double* z = y + first_of_z;
+void solve_gains(const Factor& factor, Rows z, int nu, int n, MutableRows x) {
+  for (int i = 0; i < nu; ++i)
+    for (int c = 0; c < n; c += lanes)
+      store(x.data + i * x.stride + c, -load(z.data + i * z.stride + c));
+  solve_upper(factor, nu, n, x);
+}
+
+void solve_upper(const Factor& factor, int nu, int n, MutableRows x) {
+  const auto [r, stride, inverse_diagonal] = factor;
   for (int last = nu; last > 0;) {
     const int first = (last - 1) / detail::tile_rows * detail::tile_rows;
-    double* block = x + first * x_stride;
-    for (int i = first; i < last; ++i)
-      for (int c = 0; c < n; c += lanes) store(x + i * x_stride + c, -load(z + i * stride + c));
+    const MutableRows block{x.data + first * x.stride, x.stride};
     if (last < nu)
-      product<Update::Subtract, false>({y + first * stride + last, 1, stride},
-                                       {x + last * x_stride, x_stride}, nu - last, last - first, n,
-                                       block, x_stride);
-    back_by_rows[last - first - 1](y + first * stride + first, stride, inverse_diagonal + first,
-                                   block, x_stride, n);
+      product<Update::Subtract, false>({r + first * stride + last, 1, stride},
+                                       {x.data + last * x.stride, x.stride}, nu - last,
+                                       last - first, n, block);
+    back_by_rows[last - first - 1](r + first * stride + first, stride, inverse_diagonal + first,
+                                   block.data, block.stride, n);
     last = first;
   }
 }
 
-void solve_upper(const double* y, int stride, int nu, const double* inverse_diagonal, double* x,
-                 int x_stride, int n) {
-  for (int last = nu; last > 0;) {
-    const int first = (last - 1) / detail::tile_rows * detail::tile_rows;
-    double* block = x + first * x_stride;
-    if (last < nu)
-      product<Update::Subtract, false>({y + first * stride + last, 1, stride},
-                                       {x + last * x_stride, x_stride}, nu - last, last - first, n,
-                                       block, x_stride);
-    back_by_rows[last - first - 1](y + first * stride + first, stride, inverse_diagonal + first,
-                                   block, x_stride, n);
-    last = first;
-  }
-}
-
-void solve_transposed(const double* y, int stride, int nu, const double* inverse_diagonal,
-                      double* x, int x_stride, int n) {
+void solve_transposed(const Factor& factor, int nu, int n, MutableRows x) {
+  const auto [r, stride, inverse_diagonal] = factor;
   for (int first = 0; first < nu; first += detail::tile_rows) {
     const int rows = std::min(nu - first, detail::tile_rows);
-    double* block = x + first * x_stride;
+    const MutableRows block{x.data + first * x.stride, x.stride};
     if (first > 0)
-      product<Update::Subtract>({y + first, stride, 1}, {x, x_stride}, first, rows, n, block,
-                                x_stride);
-    forward_by_rows[rows - 1](y + first * stride + first, stride, inverse_diagonal + first, block,
-                              x_stride, n);
+      product<Update::Subtract>({r + first, stride, 1}, {x.data, x.stride}, first, rows, n, block);
+    forward_by_rows[rows - 1](r + first * stride + first, stride, inverse_diagonal + first,
+                              block.data, block.stride, n);
   }
 }
 

@@ -51,6 +51,11 @@ struct Rows {
   const double* data;
   int stride;
 };
+/// Rows that a kernel writes.
+struct MutableRows {
+  double* data;
+  int stride;
+};
 /// Rows or columns from begin to end - 1.
 struct Range {
   int begin;
@@ -117,7 +122,7 @@ inline constexpr auto tile_table =
 /// Sets C to A^T B, or adds or subtracts A^T B, with A: count x m, B: count x n, C: m x n. The
 /// outer loop runs over columns, so that a panel of B stays in the first-level cache.
 template <Update update, bool unit_step = true>
-void product(Left a, Rows b, int count, int m, int n, double* c, int stride) {
+void product(Left a, Rows b, int count, int m, int n, MutableRows c) {
   using namespace detail;
   const int vectors = round_up(n) / lanes;
   for (int j = 0; j < vectors; j += tile_vectors) {
@@ -126,7 +131,7 @@ void product(Left a, Rows b, int count, int m, int n, double* c, int stride) {
       const int high = std::min(tile_rows, m - i);
       tile_table<update, unit_step>[(high - 1) * tile_vectors + wide - 1](
           {a.data + i * a.i_step, a.k_step, a.i_step}, {b.data + j * lanes, b.stride}, count,
-          c + i * stride + j * lanes, stride);
+          c.data + i * c.stride + j * lanes, c.stride);
     }
   }
 }
@@ -183,7 +188,7 @@ inline constexpr int group = std::max(lanes, detail::tile_rows);
 /// given rows of C. The first row must be a multiple of `group`. Entries above the diagonal are
 /// overwritten up to the next tile border.
 template <Update update>
-void lower_product(Left a, Rows b, int count, Range rows, double* c, int stride) {
+void lower_product(Left a, Rows b, int count, Range rows, MutableRows c) {
   using namespace detail;
   const int vectors = round_up(rows.end) / lanes;
   for (int j = 0; j < vectors; j += tile_vectors) {
@@ -194,15 +199,15 @@ void lower_product(Left a, Rows b, int count, Range rows, double* c, int stride)
       const int wide = std::min({tile_vectors, vectors - j, needed});
       tile_table<update, true>[(high - 1) * tile_vectors + wide - 1](
           {a.data + i * a.i_step, a.k_step, a.i_step}, {b.data + j * lanes, b.stride}, count,
-          c + i * stride + j * lanes, stride);
+          c.data + i * c.stride + j * lanes, c.stride);
     }
   }
 }
 
 /// lower_product() for all n rows.
 template <Update update>
-void lower_product(Left a, Rows b, int count, int n, double* c, int stride) {
-  lower_product<update>(a, b, count, Range{0, n}, c, stride);
+void lower_product(Left a, Rows b, int count, int n, MutableRows c) {
+  lower_product<update>(a, b, count, Range{0, n}, c);
 }
 
 /// Computes y += factor * x for the first n entries, rounded up to whole SIMD vectors.
@@ -238,12 +243,12 @@ BURNISH_INLINE void add_times(Rows a, const double* x, int m, int n, double* y) 
 }
 
 /// B = A^T with A: m x n, B: n x m. Reads whole SIMD vectors of up to round_up(m) rows of A.
-void transpose_copy(Rows a, int m, int n, double* b, int stride);
+void transpose_copy(Rows a, int m, int n, MutableRows b);
 
 /// Writes rows of the symmetric matrix B whose lower triangle is the lower triangle of A, and the
 /// columns that mirror these rows. The first row must be a multiple of `group`. Reads up to `lanes`
 /// rows of A at a time. B may be A if `rows` contains all rows.
-void mirror_lower(Rows a, Range rows, double* b, int stride);
+void mirror_lower(Rows a, Range rows, MutableRows b);
 
 /// Cholesky factorization of the nu x nu block Q of Y = [Q | Z]. Replaces Q by R in place, with
 /// Q = R^T R and R upper triangular. Replaces Z by R^-T Z in the given `columns` of Y, rounded
@@ -252,16 +257,20 @@ void mirror_lower(Rows a, Range rows, double* b, int stride);
 /// if there is none.
 int partial_cholesky(double* y, int stride, int nu, Range columns, double* inverse_diagonal);
 
-/// X = -R^-1 Z after partial_cholesky(), with X: nu x n and Z starting at column `first` of y.
-void solve_gains(const double* y, int stride, int nu, int first, int n,
-                 const double* inverse_diagonal, double* x, int x_stride);
+/// Factor R of Q = R^T R from partial_cholesky(), upper triangular, and its inverse diagonal.
+struct Factor {
+  const double* r;
+  int stride;
+  const double* inverse_diagonal;
+};
 
-/// X <- R^-1 X after partial_cholesky(), with X: nu x n.
-void solve_upper(const double* y, int stride, int nu, const double* inverse_diagonal, double* x,
-                 int x_stride, int n);
+/// X = -R^-1 Z, with R: nu x nu, and Z and X: nu x n.
+void solve_gains(const Factor& factor, Rows z, int nu, int n, MutableRows x);
 
-/// X <- R^-T X after partial_cholesky(), with X: nu x n.
-void solve_transposed(const double* y, int stride, int nu, const double* inverse_diagonal,
-                      double* x, int x_stride, int n);
+/// X <- R^-1 X, with R: nu x nu and X: nu x n.
+void solve_upper(const Factor& factor, int nu, int n, MutableRows x);
+
+/// X <- R^-T X, with R: nu x nu and X: nu x n.
+void solve_transposed(const Factor& factor, int nu, int n, MutableRows x);
 
 }  // namespace burnish::dense

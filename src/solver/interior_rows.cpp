@@ -56,8 +56,8 @@ InteriorRows::InteriorRows(int rows) : memory_(to_size(18) * to_size(dense::roun
 }
 
 void InteriorRows::start(int at, const RowArrays& rows, int r, const Lane& scale, const Lane& y,
-                         double mu, bool infeasible) {
-  const Lane l1_weight = load(rows.l1_weight + r), target(mu), one(1.0);
+                         const Start& from) {
+  const Lane l1_weight = load(rows.l1_weight + r), target(from.mu), one(1.0);
   const auto has_l1_weight = less(zero(), l1_weight);
   const Lane quadratic_weight = quadratic_weight_of(rows, r);
   for (const Side& side : sides_) {
@@ -72,7 +72,7 @@ void InteriorRows::start(int at, const RowArrays& rows, int r, const Lane& scale
     const Lane n = select(has_l1_weight, l1_weight - m, target / scale);
     // If `infeasible`, the multipliers m and n of a violated row initially add up to the derivative
     // of the cost of the violation.
-    const Lane violation = s - d, lowest = infeasible ? zero() : Lane(-infinite_l1_weight);
+    const Lane violation = s - d, lowest = from.infeasible ? zero() : Lane(-infinite_l1_weight);
     const auto begins = mask_and(mask_and(elastic, has_l1_weight), less(d, lowest));
     const Lane rest = clip(target / violation, Lane(min_fraction) * l1_weight, max_multiplier);
     const Lane balanced = l1_weight + quadratic_weight * violation - rest;

@@ -29,11 +29,16 @@ class InteriorRows {
     double equality = 1.0;  ///< Factor on the weights of equality rows
   };
 
-  /// Initialises the rows. All functions process one SIMD vector of rows, which starts at entry
-  /// `at` of the row variables and entry `r` of `rows`. The variable v of a row outside its limits
+  /// Initial point, with products s m and v n near `mu`. The variable v of a row outside its limits
   /// starts at the actual violation if `infeasible`, and at a small value otherwise.
+  struct Start {
+    double mu = 0.0;
+    bool infeasible = false;
+  };
+  /// Initialises the rows. All functions process one SIMD vector of rows, which starts at entry
+  /// `at` of the row variables and entry `r` of `rows`.
   void start(int at, const RowArrays& rows, int r, const dense::Lane& scale, const dense::Lane& y,
-             double mu, bool infeasible);
+             const Start& from);
   /// Returns the contribution of rows to the cost gradient, a linear function of their next values.
   RowLines lines(int at, const RowArrays& rows, int r, const dense::Lane& y,
                  const Target& target) const;

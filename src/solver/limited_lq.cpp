@@ -120,10 +120,10 @@ void LimitedLq::transpose(const LqHorizon& h) {
     const int nz = h.controls[i] + state_.ndx;
     const Knot& mine = knot_at(k);
     if (h.rows[i] > 0)
-      dense::transpose_copy({e.rows, e.stride}, h.rows[i], nz, mine.transposed_rows, row_stride_);
+      dense::transpose_copy({e.rows, e.stride}, h.rows[i], nz, {mine.transposed_rows, row_stride_});
     if (k < N_ && e.form == DynamicsForm::SecondOrder)
-      dense::transpose_copy({e.dynamics, e.stride}, state_.nv, nz, mine.transposed_dynamics,
-                            velocity_stride_);
+      dense::transpose_copy({e.dynamics, e.stride}, state_.nv, nz,
+                            {mine.transposed_dynamics, velocity_stride_});
   }
 }
 
@@ -275,12 +275,12 @@ bool LimitedLq::factor(const LqHorizon& h, RiccatiRecursion& recursion, int from
       return false;
     }
     const Knot& mine = knot_at(k);
-    const RiccatiFactor factor = recursion.factor();
+    const dense::Factor factor = recursion.factor();
     for (int c = 0; c < nu; ++c)
       dense::copy(factor.r + c * factor.stride, nu, mine.factor + c * control_stride_);
     std::copy_n(factor.inverse_diagonal, nu, mine.inverse_diagonal);
     dense::transpose_copy({h.policies[i].gain, RiccatiLayout(state_, max_controls_).gain_stride},
-                          nu, state_.ndx, mine.transposed_gain, control_stride_);
+                          nu, state_.ndx, {mine.transposed_gain, control_stride_});
   }
   return true;
 }

@@ -68,13 +68,13 @@ bool LimitedLq::begin_interior(const LqHorizon& h, RiccatiRecursion& recursion, 
   }
   keep();
   for_each_vector(h, [&](const Knot& mine, const RowArrays& rows, int r, int at) {
-    interior_.start(at, rows, r, load(mine.scale + r), load(mine.y_before + r), mu, false);
+    interior_.start(at, rows, r, load(mine.scale + r), load(mine.y_before + r), {.mu = mu});
   });
   if (!interior_step(h, recursion, {.equality = equality_start}, result)) return false;
   mu = mean_product(h, 1.0);
   keep();
   for_each_vector(h, [&](const Knot& mine, const RowArrays& rows, int r, int at) {
-    interior_.start(at, rows, r, load(mine.scale + r), load(mine.y_before + r), mu, infeasible);
+    interior_.start(at, rows, r, load(mine.scale + r), load(mine.y_before + r), {mu, infeasible});
   });
   return true;
 }

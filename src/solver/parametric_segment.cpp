@@ -82,10 +82,9 @@ void ParametricSegment::extend(const KnotExpansion& e, int controls, const doubl
   dense::add_row_times(gap, {x, vs}, ndx, ndx, r_.data());
   dense::add_row_times(policy.feedforward, {z, vs}, controls, ndx, r_.data());
   dense::product<Update::Add>({policy.gain, layout_.gain_stride, 1}, {z, vs}, controls, ndx, ndx,
-                              z + controls * vs, vs);
-  const RiccatiFactor factor = recursion_.factor();
-  dense::solve_transposed(factor.r, factor.stride, controls, factor.inverse_diagonal, z, vs, ndx);
-  dense::lower_product<Update::Add>({z, vs, 1}, {z, vs}, controls, ndx, d_.data(), vs);
+                              {z + controls * vs, vs});
+  dense::solve_transposed(recursion_.factor(), controls, ndx, {z, vs});
+  dense::lower_product<Update::Add>({z, vs, 1}, {z, vs}, controls, ndx, {d_.data(), vs});
 }
 
 void ParametricSegment::multiply_transposed(const KnotExpansion& e, int controls, const double* x,
@@ -94,13 +93,13 @@ void ParametricSegment::multiply_transposed(const KnotExpansion& e, int controls
   const int vs = layout_.value_stride;
   const dense::Left f{e.dynamics, e.stride, 1};
   if (e.form == DynamicsForm::Dense) {
-    dense::product<Update::Set>(f, {x, vs}, ndx, controls + ndx, ndx, out, vs);
+    dense::product<Update::Set>(f, {x, vs}, ndx, controls + ndx, ndx, {out, vs});
     return;
   }
   const int nv = state_.nv;
   double* t = projected_.data();
   project_rows(state_, e, x, vs, t);
-  dense::product<Update::Set>(f, {t, vs}, nv, controls + ndx, ndx, out, vs);
+  dense::product<Update::Set>(f, {t, vs}, nv, controls + ndx, ndx, {out, vs});
   add_passed(e, controls, x, out);
 }
 
@@ -142,10 +141,10 @@ bool ParametricSegment::join(const ValueStorage& segment, const ValueStorage& fo
   double* s = system_.data();
   double* xt = transposed_.data();
   const dense::Left p{following.hessian, vs, 1};
-  dense::transpose_copy({x, vs}, ndx, ndx, xt, vs);
-  dense::mirror_lower({d_.data(), vs}, {0, ndx}, d_.data(), vs);
-  dense::product<Update::Set>(p, {d_.data(), vs}, ndx, ndx, ndx, s, ss);
-  dense::product<Update::Set>(p, {xt, vs}, ndx, ndx, ndx, s + vs, ss);
+  dense::transpose_copy({x, vs}, ndx, ndx, {xt, vs});
+  dense::mirror_lower({d_.data(), vs}, {0, ndx}, {d_.data(), vs});
+  dense::product<Update::Set>(p, {d_.data(), vs}, ndx, ndx, ndx, {s, ss});
+  dense::product<Update::Set>(p, {xt, vs}, ndx, ndx, ndx, {s + vs, ss});
   for (int i = 0; i < ndx; ++i) {
     double* row = s + i * ss;
     // Clears the padding between the columns of 1 + P D and the columns of P X^T.
@@ -160,8 +159,8 @@ bool ParametricSegment::join(const ValueStorage& segment, const ValueStorage& fo
     dense::copy(segment.hessian + i * vs, ndx, out.hessian + i * vs);
     dense::add_scaled(s[i * ss + 2 * vs], xt + i * vs, ndx, out.gradient);
   }
-  dense::lower_product<Update::Add>({xt, vs, 1}, {s + vs, ss}, ndx, ndx, out.hessian, vs);
-  dense::mirror_lower({out.hessian, vs}, {0, ndx}, out.hessian, vs);
+  dense::lower_product<Update::Add>({xt, vs, 1}, {s + vs, ss}, ndx, ndx, {out.hessian, vs});
+  dense::mirror_lower({out.hessian, vs}, {0, ndx}, {out.hessian, vs});
   double sum = 0.0;
   for (int i = 0; i < ndx; ++i) sum += std::abs(out.gradient[i]) + std::abs(out.hessian[i * vs]);
   return std::isfinite(sum);

@@ -113,7 +113,8 @@ double RiccatiRecursion::multiplications(int controls, DynamicsForm form) const 
 
 void RiccatiRecursion::terminal(const KnotExpansion& e, ValueStorage value) const {
   std::copy_n(e.gradient, state_.ndx, value.gradient);
-  dense::mirror_lower({e.hessian, e.stride}, {0, state_.ndx}, value.hessian, layout_.value_stride);
+  dense::mirror_lower({e.hessian, e.stride}, {0, state_.ndx},
+                      {value.hessian, layout_.value_stride});
 }
 
 /// Loads the knot's cost: Y <- [Huu | Hux], Qxx <- Hxx.
@@ -121,7 +122,7 @@ void RiccatiRecursion::load_cost(const Knot& knot) {
   const KnotExpansion& e = knot.e;
   const int first = knot.columns.begin;
   dense::transpose_copy({e.hessian + first * e.stride, e.stride}, knot.width(), knot.nu,
-                        y_.data() + first, y_stride_);
+                        {y_.data() + first, y_stride_});
   for (int i = knot.rows.begin; i < knot.rows.end; ++i)
     dense::copy(e.hessian + (knot.nu + i) * e.stride + knot.nu, i + 1,
                 qxx_.data() + i * layout_.value_stride);
@@ -172,17 +173,17 @@ void RiccatiRecursion::add_to_controls(const Knot& knot) {
   if (e.form == DynamicsForm::Dense) {
     const int ndx = state_.ndx;
     dense::product<Update::Set>({knot.next.hessian, layout_.value_stride, 1}, f, ndx, ndx, width,
-                                g_.data() + first, y_stride_);
-    dense::product<Update::Add>({e.dynamics, e.stride, 1}, g, ndx, knot.nu, width, y, y_stride_);
+                                {g_.data() + first, y_stride_});
+    dense::product<Update::Add>({e.dynamics, e.stride, 1}, g, ndx, knot.nu, width, {y, y_stride_});
     return;
   }
   for (int i = 0; i < nv; ++i)
     dense::copy(m + i * y_stride_ + first, width, g_.data() + i * y_stride_ + first);
   dense::product<Update::Add>({knot.own.w.data(), dense::round_up(nv), 1}, f, nv, nv, width,
-                              g_.data() + first, y_stride_);
-  dense::product<Update::Add>({e.dynamics, e.stride, 1}, g, nv, knot.nu, width, y, y_stride_);
+                              {g_.data() + first, y_stride_});
+  dense::product<Update::Add>({e.dynamics, e.stride, 1}, g, nv, knot.nu, width, {y, y_stride_});
   if (knot.through == 0) return;
-  dense::product<Update::Add>({m, y_stride_, 1}, f, nv, knot.through, width, y, y_stride_);
+  dense::product<Update::Add>({m, y_stride_, 1}, f, nv, knot.through, width, {y, y_stride_});
   add_passed_to_controls(knot);
 }
 
@@ -242,10 +243,10 @@ void RiccatiRecursion::add_rows(const Knot& knot, const WeightedRows& rows) {
   const int first = knot.columns.begin;
   if (rows.count > 0) {
     dense::product<Update::Add>({rows.weighted, rows.stride, 1}, {rows.rows + first, rows.stride},
-                                rows.count, knot.nu, knot.width(), y_.data() + first, y_stride_);
+                                rows.count, knot.nu, knot.width(), {y_.data() + first, y_stride_});
     dense::lower_product<Update::Add>({rows.weighted + knot.nu, rows.stride, 1},
                                       {rows.rows + knot.nu, rows.stride}, rows.count, knot.rows,
-                                      qxx_.data(), layout_.value_stride);
+                                      {qxx_.data(), layout_.value_stride});
   }
   if (rows.diagonal == nullptr) return;
   for (int i = first; i < std::min(knot.nu, knot.columns.end); ++i)
@@ -267,13 +268,14 @@ void RiccatiRecursion::add_to_states(const Knot& knot) {
   const bool is_dense = e.form == DynamicsForm::Dense;
   const Rows px{e.dynamics + nu, e.stride};
   dense::lower_product<Update::Add>({px.data, px.stride, 1}, {g_.data() + nu, y_stride_},
-                                    is_dense ? ndx : nv, knot.rows, qxx, qs);
+                                    is_dense ? ndx : nv, knot.rows, {qxx, qs});
   if (is_dense) return;
-  dense::lower_product<Update::Add>({m, y_stride_, 1}, px, nv, common(knot.rows, {0, nv}), qxx, qs);
+  dense::lower_product<Update::Add>({m, y_stride_, 1}, px, nv, common(knot.rows, {0, nv}),
+                                    {qxx, qs});
   const Range filter = common(knot.rows, {2 * nv, ndx});
   if (filter.begin < filter.end)
     dense::product<Update::Add>({m + filter.begin, y_stride_, 1}, px, nv, filter.end - filter.begin,
-                                ndx, qxx + filter.begin * qs, qs);
+                                ndx, {qxx + filter.begin * qs, qs});
   add_passed_to_states(knot);
   add_passed_controls_to_states(knot);
 }
@@ -388,8 +390,8 @@ int RiccatiRecursion::factorize(const Knot& knot, const PolicyStorage& policy) {
   }
   const int failed = dense::partial_cholesky(y, y_stride_, nu, columns, inverse);
   if (failed >= 0 || width == 0) return failed;
-  dense::solve_gains(y, y_stride_, nu, first, width, inverse, policy.gain + knot.gains.begin,
-                     layout_.gain_stride);
+  dense::solve_gains({y, y_stride_, inverse}, {y + first, y_stride_}, nu, width,
+                     {policy.gain + knot.gains.begin, layout_.gain_stride});
   if (!knot.team.alone())
     for (int i = 0; i < nu; ++i)
       dense::copy(y + i * y_stride_ + first, width,
@@ -404,9 +406,9 @@ void RiccatiRecursion::reduce(const Knot& knot, const ValueStorage& value) {
   const bool alone = knot.team.alone();
   const Rows l =
       alone ? Rows{y_.data() + knot.nu, y_stride_} : Rows{l_.data(), layout_.gain_stride};
-  dense::lower_product<Update::Subtract>({l.data, l.stride, 1}, l, knot.nu, knot.rows, qxx_.data(),
-                                         vs);
-  dense::mirror_lower({qxx_.data(), vs}, knot.rows, value.hessian, vs);
+  dense::lower_product<Update::Subtract>({l.data, l.stride, 1}, l, knot.nu, knot.rows,
+                                         {qxx_.data(), vs});
+  dense::mirror_lower({qxx_.data(), vs}, knot.rows, {value.hessian, vs});
   const Range part = worker_range(knot.team, ndx, dense::lanes);
   const int width = part.end - part.begin;
   const int nu = knot.nu;

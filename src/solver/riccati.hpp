@@ -23,6 +23,7 @@
 #include "burnish/solver/shooting_problem.hpp"
 #include "solver/box_qp.hpp"
 #include "solver/buffer.hpp"
+#include "solver/dense.hpp"
 
 namespace burnish {
 
@@ -95,13 +96,6 @@ struct RiccatiStep {
   double gap_curvature = 0.0;  ///< gap^T Vxx' gap
 };
 
-/// Factor R of Quu = R^T R, upper triangular, and the inverses of its diagonal.
-struct RiccatiFactor {
-  const double* r;
-  int stride;
-  const double* inverse_diagonal;
-};
-
 /// Riccati recursion with its workspace. Does not allocate after construction.
 class RiccatiRecursion {
  public:
@@ -127,13 +121,13 @@ class RiccatiRecursion {
   /// the leader's result contains the other fields.
   RiccatiStep step(const RiccatiKnot& at, const RiccatiTerms& terms, const ThreadTeam& team = {});
 
-  /// Returns the factor of the last step. Valid only if the step had no bounds and one worker.
-  RiccatiFactor factor() const { return {y_.data(), y_stride_, own_[0].inverse_diagonal.data()}; }
+  /// Returns the factor of Quu of the last step; valid only without bounds and with one worker.
+  dense::Factor factor() const { return {y_.data(), y_stride_, own_[0].inverse_diagonal.data()}; }
 
   /// Repeats a step for another gradient (nz entries). Reads results of the step: `factor` of Quu,
   /// the gains and at.hessian_gap. Overwrites `gradient`; writes the feedforward and the gradient
   /// of the value function.
-  void resolve(const RiccatiKnot& at, const RiccatiFactor& factor, double* gradient);
+  void resolve(const RiccatiKnot& at, const dense::Factor& factor, double* gradient);
 
  private:
   struct Knot;  ///< Arguments of a step and a worker's ranges

@@ -17,13 +17,13 @@ void RiccatiRecursion::terminal(const KnotExpansion& e, const WeightedRows& rows
   for (int i = 0; i < ndx; ++i) dense::copy(e.hessian + i * e.stride, i + 1, qxx_.data() + i * vs);
   if (rows.count > 0)
     dense::lower_product<Update::Add>({rows.weighted, rows.stride, 1}, {rows.rows, rows.stride},
-                                      rows.count, ndx, qxx_.data(), vs);
+                                      rows.count, ndx, {qxx_.data(), vs});
   if (rows.diagonal != nullptr)
     for (int i = 0; i < ndx; ++i) qxx_.data()[i * vs + i] += rows.diagonal[i];
-  dense::mirror_lower({qxx_.data(), vs}, {0, ndx}, value.hessian, vs);
+  dense::mirror_lower({qxx_.data(), vs}, {0, ndx}, {value.hessian, vs});
 }
 
-void RiccatiRecursion::resolve(const RiccatiKnot& at, const RiccatiFactor& factor,
+void RiccatiRecursion::resolve(const RiccatiKnot& at, const dense::Factor& factor,
                                double* gradient) {
   const int ndx = state_.ndx, controls = at.controls;
   dense::sum_scaled(at.next.gradient, 1.0, at.hessian_gap, ndx, w_next_.data());
@@ -33,10 +33,8 @@ void RiccatiRecursion::resolve(const RiccatiKnot& at, const RiccatiFactor& facto
   double* column = column_.data();
   for (int i = 0; i < controls; ++i)
     dense::store(column + i * dense::lanes, dense::Lane(-gradient[i]));
-  dense::solve_transposed(factor.r, factor.stride, controls, factor.inverse_diagonal, column,
-                          dense::lanes, 1);
-  dense::solve_upper(factor.r, factor.stride, controls, factor.inverse_diagonal, column,
-                     dense::lanes, 1);
+  dense::solve_transposed(factor, controls, 1, {column, dense::lanes});
+  dense::solve_upper(factor, controls, 1, {column, dense::lanes});
   for (int i = 0; i < controls; ++i) at.policy.feedforward[i] = column[i * dense::lanes];
   // vx = qx + K^T qu
   std::copy_n(gradient + controls, ndx, at.value.gradient);

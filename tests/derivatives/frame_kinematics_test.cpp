@@ -105,7 +105,7 @@ struct MotionKernel {
     frame_velocity_derivative(frame, at, run.kinematics, run.state, out.dq.data(), n);
     frame_jacobian(frame, moving.compiled, at.pose, run.kinematics, out.dv.data(), n);
     frame_acceleration_derivatives(frame, at, run.kinematics, run.id, run.state,
-                                   out.dq.data() + 6 * n, out.dv.data() + 6 * n, n);
+                                   {out.dq.data() + 6 * n, out.dv.data() + 6 * n, n});
     return out;
   }
   const Tree& tree;

@@ -34,8 +34,7 @@ struct InverseDynamicsKernel {
     Evaluation<S> run(tree, q, v, a);
     const std::vector<S> zeros(run.mass.mass.size(), S(0.0));
     Blocks<S> out{zeros, zeros};
-    std::vector<Coriolis<S>> scratch(tree.joints.size());
-    inverse_dynamics_derivatives(tree, run.kinematics, run.mass, run.id, scratch, out.dq.data(),
+    inverse_dynamics_derivatives(tree, run.kinematics, run.mass, run.id, out.dq.data(),
                                  out.dv.data());
     return out;
   }

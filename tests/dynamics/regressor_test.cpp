@@ -39,8 +39,7 @@ struct RegressorKernel {
     accelerate(tree, kinematics, a, id);
     const std::vector<S> zeros(static_cast<std::size_t>(tree.nv * tree.nv), S(0.0));
     Blocks<S> out{zeros, zeros};
-    std::vector<Coriolis<S>> scratch(tree.joints.size());
-    inverse_dynamics_derivatives(tree, kinematics, mass, id, scratch, out.dq.data(), out.dv.data());
+    inverse_dynamics_derivatives(tree, kinematics, mass, id, out.dq.data(), out.dv.data());
     return out;
   }
   const Tree& tree;

@@ -41,14 +41,14 @@ TEST(Dense, Product_EqualsEigenForEverySize) {
       PaddedMatrix c(m, n, false);
       const Eigen::MatrixXd before = c.matrix(m, n);
       const Eigen::MatrixXd ab = a.matrix(count, m).transpose() * b.matrix(count, n);
-      product<Update::Add>({a.data(), a.stride, 1}, {b.data(), b.stride}, count, m, n, c.data(),
-                           c.stride);
+      product<Update::Add>({a.data(), a.stride, 1}, {b.data(), b.stride}, count, m, n,
+                           {c.data(), c.stride});
       EXPECT_LT(error(c.matrix(m, n), before + ab), 1e-13) << m << " x " << n;
       product<Update::Subtract>({a.data(), a.stride, 1}, {b.data(), b.stride}, count, m, n,
-                                c.data(), c.stride);
+                                {c.data(), c.stride});
       EXPECT_LT(error(c.matrix(m, n), before), 1e-13) << m << " x " << n;
-      product<Update::Set>({a.data(), a.stride, 1}, {b.data(), b.stride}, count, m, n, c.data(),
-                           c.stride);
+      product<Update::Set>({a.data(), a.stride, 1}, {b.data(), b.stride}, count, m, n,
+                           {c.data(), c.stride});
       EXPECT_LT(error(c.matrix(m, n), ab), 1e-13) << m << " x " << n;
     }
 }
@@ -61,8 +61,8 @@ TEST(Dense, LowerProduct_EqualsEigenBelowTheDiagonal) {
     PaddedMatrix c(n, n, false);
     const Eigen::MatrixXd wanted =
         c.matrix(n, n) + a.matrix(count, n).transpose() * b.matrix(count, n);
-    lower_product<Update::Add>({a.data(), a.stride, 1}, {b.data(), b.stride}, count, n, c.data(),
-                               c.stride);
+    lower_product<Update::Add>({a.data(), a.stride, 1}, {b.data(), b.stride}, count, n,
+                               {c.data(), c.stride});
     const Eigen::MatrixXd difference = c.matrix(n, n) - wanted;
     EXPECT_LT(difference.triangularView<Eigen::Lower>().toDenseMatrix().cwiseAbs().maxCoeff(),
               1e-13)
@@ -74,15 +74,15 @@ TEST(Dense, MirrorAndTranspose_MoveEveryEntry) {
   for (int n = 1; n <= 30; ++n) {
     PaddedMatrix a(n, n);
     PaddedMatrix b(n, n, false);
-    mirror_lower({a.data(), a.stride}, {0, n}, b.data(), b.stride);
+    mirror_lower({a.data(), a.stride}, {0, n}, {b.data(), b.stride});
     const Eigen::MatrixXd wanted = a.matrix(n, n).selfadjointView<Eigen::Lower>();
     EXPECT_EQ(error(b.matrix(n, n), wanted), 0.0) << n;
-    mirror_lower({a.data(), a.stride}, {0, n}, a.data(), a.stride);
+    mirror_lower({a.data(), a.stride}, {0, n}, {a.data(), a.stride});
     EXPECT_EQ(error(a.matrix(n, n), wanted), 0.0) << n;
     const int m = 1 + (3 * n) % 11;
     PaddedMatrix c(m, n);
     PaddedMatrix d(n, m, false);
-    transpose_copy({c.data(), c.stride}, m, n, d.data(), d.stride);
+    transpose_copy({c.data(), c.stride}, m, n, {d.data(), d.stride});
     EXPECT_EQ(error(d.matrix(n, m), c.matrix(m, n).transpose()), 0.0) << m << " x " << n;
   }
 }
@@ -99,7 +99,8 @@ TEST(Dense, PartialCholeskyAndGains_EqualEigen) {
     EXPECT_EQ(partial_cholesky(y.data(), y.stride, nu, {0, nu + n}, inverse.data()), -1);
     EXPECT_LT(error(y.matrix(nu, nu + n).rightCols(n), solve_positive_half(Q, Z)), 1e-10);
     PaddedMatrix x(nu, n, false);
-    solve_gains(y.data(), y.stride, nu, nu, n, inverse.data(), x.data(), x.stride);
+    solve_gains({y.data(), y.stride, inverse.data()}, {y.data() + nu, y.stride}, nu, n,
+                {x.data(), x.stride});
     const double scale = solve_positive(Q, Z).cwiseAbs().maxCoeff();
     EXPECT_LT(error(x.matrix(nu, n), -solve_positive(Q, Z)), 1e-10 * scale) << nu;
   }
