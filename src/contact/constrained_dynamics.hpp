@@ -47,6 +47,8 @@ class ConstrainedDynamics {
   /// Loads one state per lane: q (nq) and v (nv). A lane that is not finite or not normalised gets
   /// an error status and is computed at the neutral posture.
   void set_state(const S* q, const S* v);
+  /// Does what set_state(q, v) does, with `known`: kinematics of the same tree at (q, v).
+  void set_state(const S* q, const S* v, const Kinematics<S>& known);
 
   /// Recomputes the active contacts at the loaded state, after contacts, references, surfaces or
   /// friction have changed. Does not recompute kinematics and mass matrix. Requires set_state().
@@ -129,7 +131,7 @@ class ConstrainedDynamics {
   void clear_failed(std::vector<S>& results) const;
 
  private:
-  void mark_bad_lanes(const S* q, const S* v);
+  void load_lanes(const S* q, const S* v);
   void mark(const auto& bad, Status status, std::vector<Status>& of_lanes);
   /// Copies `count` values. Lanes that are not finite get zeros and status NotFinite.
   void load_finite(const S* in, int count, S* out);

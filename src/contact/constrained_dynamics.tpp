@@ -118,7 +118,9 @@ void ConstrainedDynamics<S>::clear_failed(std::vector<S>& results) const {
 }
 
 template <class S>
-void ConstrainedDynamics<S>::mark_bad_lanes(const S* q, const S* v) {
+void ConstrainedDynamics<S>::load_lanes(const S* q, const S* v) {
+  std::fill(motion_status_.begin(), motion_status_.end(), Status::Ok);
+  has_mass_factor_ = false;
   // 0 * x is zero for finite x and NaN otherwise.
   S zero(0.0);
   for (int i = 0; i < tree_.nq; ++i) zero += q[i] * S(0.0);
@@ -142,10 +144,19 @@ void ConstrainedDynamics<S>::mark_bad_lanes(const S* q, const S* v) {
 
 template <class S>
 void ConstrainedDynamics<S>::set_state(const S* q, const S* v) {
-  std::fill(motion_status_.begin(), motion_status_.end(), Status::Ok);
-  has_mass_factor_ = false;
-  mark_bad_lanes(q, v);
+  load_lanes(q, v);
   update_kinematics(tree_, q_.data(), v_.data(), kinematics_);
+  update_mass_and_bias(tree_, kinematics_, mass_);
+  update_contacts();
+}
+
+template <class S>
+void ConstrainedDynamics<S>::set_state(const S* q, const S* v, const Kinematics<S>& known) {
+  load_lanes(q, v);
+  if (std::count(motion_status_.begin(), motion_status_.end(), Status::Ok) == lanes)
+    kinematics_ = known;  // does not allocate, because the sizes are equal
+  else
+    update_kinematics(tree_, q_.data(), v_.data(), kinematics_);
   update_mass_and_bias(tree_, kinematics_, mass_);
   update_contacts();
 }

@@ -4,9 +4,11 @@
 
 #include "base/sentence.hpp"
 #include "base/to_size.hpp"
+#include "burnish/derivatives/rigid_body.hpp"
 #include "contact/contact_kinematics.tpp"
 #include "derivatives/constrained_derivatives.hpp"
 #include "derivatives/explanation.hpp"
+#include "derivatives/kinematic_state.hpp"
 #include "derivatives/wrench_transport.hpp"
 #include "dynamics/regressor.tpp"
 
@@ -96,10 +98,26 @@ struct ContactDynamics::Impl {
                      out.data() + 10 * i, static_cast<int>(columns));
   }
 
-  /// Loads the state, and copies the mass matrix and quantities of contacts for the views.
+  /// Loads a state.
   Status load(const ConstVectorRef& q, const ConstVectorRef& v) {
     if (q.size() != nq || v.size() != nv) return Status::WrongSize;
     dynamics.set_state(q.data(), v.data());
+    return copy_state();
+  }
+  /// Loads a state whose kinematics are known.
+  Status load(const KinematicState& state) {
+    if (state.q.size() != nq || state.v.size() != nv ||
+        !same_size(state.kinematics, dynamics.kinematics()))
+      return Status::WrongSize;
+    dynamics.set_state(state.q.data(), state.v.data(), state.kinematics);
+    return copy_state();
+  }
+  static bool same_size(const Kinematics<double>& a, const Kinematics<double>& b) {
+    return a.bodies.size() == b.bodies.size() && a.axes.size() == b.axes.size();
+  }
+
+  /// Copies the mass matrix and quantities of contacts for the views.
+  Status copy_state() {
     const MassMatrix<double>& m = dynamics.mass();
     for (int i = 0; i < nv; ++i)
       for (int j = i; j >= 0; j = dynamics.tree().parent_of_v[j])
@@ -260,6 +278,11 @@ std::string ContactDynamics::explanation() const {
 Status ContactDynamics::update(const ConstVectorRef& q, const ConstVectorRef& v) {
   impl_->invalidate();
   return impl_->load(q, v);
+}
+
+Status ContactDynamics::update(const RigidBody& body) {
+  impl_->invalidate();
+  return impl_->load(body.state());
 }
 
 Status ContactDynamics::forward(const ConstVectorRef& tau) {

@@ -4,6 +4,7 @@
 #include <cmath>
 
 #include "derivatives/frame_kinematics.tpp"
+#include "derivatives/kinematic_state.hpp"
 #include "derivatives/momentum.tpp"
 #include "dynamics/inverse_dynamics.tpp"
 #include "dynamics/kinematics.tpp"
@@ -186,6 +187,8 @@ Status RigidBody::update(const ConstVectorRef& q, const ConstVectorRef& v,
   if (status == Status::Ok) impl_->evaluate(q, v, a);
   return status;
 }
+
+KinematicState RigidBody::state() const { return {impl_->q, impl_->v, impl_->kinematics}; }
 
 Eigen::Isometry3d RigidBody::placement(int frame) const {
   Eigen::Isometry3d result = Eigen::Isometry3d::Identity();

@@ -326,6 +326,7 @@ Eigen::Matrix3d BaseEstimator::foot_rotation(int foot) const {
 BaseEstimator::Feet BaseEstimator::feet_that_count() const { return impl_->filter.standing(); }
 BaseEstimator::Feet BaseEstimator::feet_that_slip() const { return impl_->slipping; }
 const EstimatorInnovation& BaseEstimator::innovation() const { return impl_->innovation; }
+FootKinematics& BaseEstimator::kinematics() noexcept { return impl_->kinematics; }
 int BaseEstimator::feet() const { return impl_->filter.feet(); }
 const BaseEstimatorOptions& BaseEstimator::options() const { return impl_->options; }
 

@@ -77,6 +77,8 @@ FootKinematics::FootKinematics(const Model& model, const std::string& unit,
 Status FootKinematics::update(const ConstVectorRef& q, const ConstVectorRef& v) noexcept {
   if (q.size() != tree_.nq || v.size() != tree_.nv) return Status::WrongSize;
   const auto joints = tree_.nq - 7, rates = tree_.nv - 6;
+  if (is_updated_ && q_.tail(joints) == q.tail(joints) && v_.tail(rates) == v.tail(rates))
+    return Status::Ok;
   if (!q.tail(joints).allFinite() || !v.tail(rates).allFinite()) return Status::NotFinite;
   if (!joints_are_normalized(tree_, q)) return Status::NotNormalized;
   q_.tail(joints) = q.tail(joints);
@@ -102,6 +104,7 @@ Status FootKinematics::update(const ConstVectorRef& q, const ConstVectorRef& v) 
     turnings_[i] = transpose_times(unit_pose_.R, body.v.angular - carrier.v.angular);
     update_jacobian(foot);
   }
+  is_updated_ = true;
   return Status::Ok;
 }
 

@@ -42,8 +42,8 @@ class FootKinematics {
   FootKinematics(const Model& model, const std::string& unit, const std::vector<std::string>& feet);
 
   /// Updates the kinematics to the joint readings q (nq) and v (nv), whose entries for the base are
-  /// ignored. Returns Ok, or an error (WrongSize, NotFinite, NotNormalized) that leaves the
-  /// kinematics unchanged.
+  /// ignored. If the readings are those of the last update, nothing is computed again. Returns Ok,
+  /// or an error (WrongSize, NotFinite, NotNormalized) that leaves the kinematics unchanged.
   Status update(const ConstVectorRef& q, const ConstVectorRef& v) noexcept;
 
   int feet() const { return static_cast<int>(feet_.size()); }
@@ -83,6 +83,7 @@ class FootKinematics {
   std::vector<SeenFoot> seen_;
   std::vector<Vec3<double>> velocities_, turnings_;
   Eigen::MatrixXd jacobian_;
+  bool is_updated_ = false;  ///< True after the first update.
 };
 
 }  // namespace burnish

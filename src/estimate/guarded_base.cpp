@@ -20,11 +20,6 @@ std::vector<char> soles_in(const BaseEstimatorOptions& options) {
   for (const FootSpec& foot : options.feet) result.push_back(foot.kind == FootKind::Sole ? 1 : 0);
   return result;
 }
-std::vector<std::string> frames_in(const BaseEstimatorOptions& options) {
-  std::vector<std::string> result;
-  for (const FootSpec& foot : options.feet) result.push_back(foot.frame);
-  return result;
-}
 
 /// Returns the weight of a sole's rotation in the fit [m/rad]: the ratio of the slip noise to the
 /// rotation noise. Soles that may rotate in place thus have little influence on the estimated yaw.
@@ -58,7 +53,7 @@ struct GuardedBase::Impl {
   Impl(const Model& model, const BaseEstimatorOptions& options)
       : filter(model, options),
         watch_options(options.watch),
-        kinematics(model, options.imu_frame, frames_in(options)),
+        kinematics(filter.kinematics()),
         watch(options.watch.window),
         older(soles_in(options), length_of(options)),
         newer(older),
@@ -91,7 +86,7 @@ struct GuardedBase::Impl {
 
   BaseEstimator filter;
   UnitWatchOptions watch_options;
-  FootKinematics kinematics;
+  FootKinematics& kinematics;  ///< Kinematics of the filter, which are computed once per reading.
   UnitWatch watch;
   /// Snapshots. `newer` is the latest. `older` has an age of `moment_period` or more, except after
   /// a start.

@@ -59,7 +59,7 @@ void RobotState::activate(const ActiveContacts& active) noexcept {
 
 Status RobotState::forward(const ActiveContacts& active, const ConstVectorRef& tau) noexcept {
   activate(active);
-  if (!has_dynamics_) (void)dynamics_.update(q_, v_);  // forward() returns its status
+  if (!has_dynamics_) (void)dynamics_.update(body_);  // forward() returns its status
   has_dynamics_ = true;
   return dynamics_.forward(tau);
 }

@@ -70,6 +70,12 @@ TEST_F(LastEvaluation, ForwardAtTheLoadedState_EqualsAFreshEvaluation) {
   ASSERT_EQ(kept.update(s_.q, s_.v), Status::Ok);
   EXPECT_EQ(kept.forward(Eigen::VectorXd::Zero(3)), Status::WrongSize);
   expect_same("after a payload");
+  RigidBody body(model_);
+  ASSERT_EQ(body.update(s_.q, s_.v), Status::Ok);
+  ASSERT_EQ(kept.update(model_.q_neutral, Eigen::VectorXd::Zero(model_.nv)), Status::Ok);
+  ASSERT_EQ(kept.update(body), Status::Ok);
+  expect_same("at the state of a body");
+  EXPECT_EQ(kept.update(RigidBody(named_robot("four_bar"))), Status::WrongSize);
 }
 
 TEST_F(LastEvaluation, Acceleration_HasNoForces) {

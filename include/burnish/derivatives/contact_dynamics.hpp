@@ -16,6 +16,8 @@
 
 namespace burnish {
 
+class RigidBody;
+
 /// Derivatives of a contact wrench, written in a chosen Reference. Each matrix is 6 x nv, with the
 /// force rows first.
 /// @described derivatives @result
@@ -104,6 +106,10 @@ class ContactDynamics {
   /// Loads the state `q` (nq) and `v` (nv), and fills mass_matrix(), bias() and jacobian(). Returns
   /// Ok, WrongSize, NotFinite or NotNormalized.
   Status update(const ConstVectorRef& q, const ConstVectorRef& v);
+  /// Does what update(q, v) does, at the last accepted state of `body`, whose kinematics are not
+  /// computed again. `body` must have the same model. Returns WrongSize if its tree of joints has
+  /// another size.
+  Status update(const RigidBody& body);
   /// Computes joint accelerations and contact forces at the state of the last update() or other
   /// evaluation, without computing kinematics and mass matrix again. Active contacts, references,
   /// surfaces and friction may have changed since that evaluation. Returns NotEvaluated if no state

@@ -19,6 +19,8 @@
 
 namespace burnish {
 
+struct KinematicState;
+
 /// Derivatives of a frame's velocity and acceleration, in the axes of the requested reference. Each
 /// matrix is 6 x nv, with the linear rows first.
 /// @described derivatives @result
@@ -136,6 +138,8 @@ class RigidBody {
   MatrixView passive_torque_dv() const;       ///< nv x nv; diagonal unless tendons have dampers
 
  private:
+  friend class ContactDynamics;
+  KinematicState state() const;
   struct Impl;
   std::unique_ptr<Impl> impl_;
 };

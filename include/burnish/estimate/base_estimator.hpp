@@ -15,6 +15,8 @@
 
 namespace burnish {
 
+class FootKinematics;
+
 /// Kind of a foot: motions of the foot that are zero while the foot stands.
 /// @described estimate
 enum class FootKind {
@@ -205,6 +207,9 @@ class BaseEstimator {
   const BaseEstimatorOptions& options() const;
 
  private:
+  friend class GuardedBase;
+  FootKinematics& kinematics() noexcept;
+
   struct Impl;
   std::unique_ptr<Impl> impl_;
 };
