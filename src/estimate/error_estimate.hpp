@@ -1,11 +1,11 @@
 // Estimate of the model error, updated at each valid measurement (see ModelErrorKind).
 #pragma once
 
-#include "burnish/estimate/friction_estimate.hpp"
 #include "burnish/estimate/measurement.hpp"
 #include "estimate/contact_force_estimate.hpp"
 #include "estimate/felt_force.hpp"
 #include "estimate/joint_friction.hpp"
+#include "estimate/tool_friction.hpp"
 
 namespace burnish {
 
@@ -74,26 +74,26 @@ class ErrorEstimate {
   void set_normal(const Eigen::Vector3d& normal_world) noexcept { normal_world_ = normal_world; }
   const Eigen::Vector3d& normal_world() const { return normal_world_; }
   /// Returns the coefficient of friction of the tool's contacts; 0 without a friction model.
-  double friction() const { return friction_ ? friction_->coefficient() : 0.0; }
+  double friction() const { return tool_friction_.coefficient(); }
 
   /// Sets the planned velocity v (nv) [rad/s or m/s], from which the friction estimates take the
   /// direction of motion: velocity of a new plan, joint_friction().lead() after its first knot.
   void foresee(const Eigen::VectorXd& v) noexcept {
     joint_friction_.foresee(v.data());
-    v_ahead_ = v;
+    tool_friction_.foresee(v);
   }
 
   /// Returns the estimate of joint friction. The torques passed to update() must not include the
   /// compensation of joint friction.
   JointFriction& joint_friction() { return joint_friction_; }
 
-  /// Returns observed_error() plus the torque of unmodelled friction; nv [Nm or N]. The latter is
-  /// the friction along the surface without the part that the contacts model.
+  /// Returns observed_error() plus the joint torque of unmodelled friction; nv [Nm or N].
+  /// Unmodelled friction is the force along the surface minus the friction of the contact models.
   const Eigen::VectorXd& torque_error() const { return torque_error_; }
   /// Returns the torque error from the observer; nv [Nm or N].
   const Eigen::VectorXd& observed_error() const { return model_error(); }
   /// Returns true if the tool's contacts have a friction model.
-  bool models_friction() const { return friction_.has_value(); }
+  bool models_friction() const { return tool_friction_.is_modelled(); }
   /// Returns the mean of torque_error() over the last seconds; nv [Nm or N].
   const Eigen::VectorXd& lasting_error() const { return lasting_error_; }
   double force_error() const { return force_error_; }  ///< Estimated force error [N].
@@ -107,8 +107,8 @@ class ErrorEstimate {
 
  private:
   Eigen::Vector3d observed_force(const ErrorInput& input) noexcept;
-  double normal_force(const ErrorInput& input) const noexcept {
-    return input.tool_force_world.dot(normal_world_);
+  ToolForce tool_force(const ErrorInput& input) const noexcept {
+    return {input.tool_force_world, normal_world_};
   }
   const Eigen::VectorXd& model_error() const {
     return felt_ ? felt_->model_error() : observer_->torque_error();
@@ -120,9 +120,6 @@ class ErrorEstimate {
   void update_force_feedback(RobotState& state, const ErrorInput& input) noexcept;
   void follow_lasting(double dt) noexcept;
   void follow_friction(RobotState& state, const ErrorInput& input) noexcept;
-  Eigen::Vector3d friction_along_plan(const ToolMotion& tool, double dt, double bandwidth) noexcept;
-  Eigen::Vector3d explained_friction(RobotState& state, const ErrorInput& input,
-                                     const Eigen::Vector3d& across) noexcept;
   void follow_force_error(RobotState& state, const ErrorInput& input, double weight) noexcept;
 
   ModelErrorOptions options_;
@@ -134,28 +131,16 @@ class ErrorEstimate {
   std::optional<ErrorObserver> observer_;
   std::optional<FeltForce> felt_;
   JointFriction joint_friction_;
+  ToolFriction tool_friction_;
   ContactForceEstimate contact_force_;
   /// Torque in the joints: the command, low-pass filtered with torque_cutoff_; nv [Nm or N].
   Eigen::VectorXd acted_;
   Eigen::VectorXd force_feedback_;
   double pressed_for_ = 0.0;  ///< Time in contact while a force is commanded [s].
   Eigen::VectorXd torque_offset_, torque_error_, lasting_error_, total_;
-  Eigen::VectorXd v_ahead_;    ///< Planned velocity set by foresee(), nv.
   double lasting_time_ = 0.0;  ///< Averaging time of lasting_error_ so far [s].
   double waits_for_ = 0.0;     ///< Time for which the schedule has waited for contact [s].
-  double smoothing_;           ///< Time constant of the filters of between_ and v_tool_ [s].
-  double nominal_delay_;       ///< Stated delay of commands plus stated delay of measurements [s].
-  /// Planned tool velocity from v_ahead_, low-pass filtered once (between_) and twice (v_tool_)
-  /// [m/s]. v_tool_ is the planned velocity at the time when torques act.
-  Eigen::Vector3d between_ = Eigen::Vector3d::Zero(), v_tool_ = between_;
-  /// Direction of v_tool_ at the time of the force measurement.
-  Eigen::Vector3d slid_ = between_;
-  double pressed_ = 0.0;  ///< Low-pass filtered normal force [N].
-  /// Low-pass filtered force along the surface, without the friction in the contact models [N].
-  Eigen::Vector3d friction_force_ = Eigen::Vector3d::Zero();
-  std::optional<FrictionEstimator> friction_;
-  bool started_ = false;        ///< True after the first measurement.
-  double planned_speed_ = 0.0;  ///< Planned speed, as in SlidingFriction::speed [m/s].
+  bool started_ = false;       ///< True after the first measurement.
   Eigen::Vector3d force_world_ = Eigen::Vector3d::Zero();
   double force_error_ = 0.0;
 };
