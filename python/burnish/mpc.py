@@ -4,7 +4,7 @@ from __future__ import annotations
 
 import abc
 from dataclasses import dataclass
-from typing import TYPE_CHECKING, List, Optional, Union
+from typing import TYPE_CHECKING, Dict, List, Optional, Union
 
 import numpy as np
 from numpy.typing import NDArray
@@ -46,7 +46,9 @@ class Controller(abc.ABC):
     the two methods below. An exception of a method ends the run, and the methods of the loop raise it.
 
     The attribute `touches` is optional. A loop reads it when it is made. A controller that passes measurements
-    to another controller needs the `touches` of that controller."""
+    to another controller needs the `touches` of that controller.
+
+    The attributes `signals` and `signal_values` are optional, too. They publish values in the trace of a loop."""
 
     if TYPE_CHECKING:
 
@@ -58,6 +60,15 @@ class Controller(abc.ABC):
         def touches(self) -> Optional[List[str]]:
             """Frames of the columns of Measurement.wrenches, which the controller reads. None, or without the
             attribute: all touches of the plant's scene, in their order."""
+
+        @property
+        def signals(self) -> Dict[str, str]:
+            """Units of the values that the controller publishes, by name, such as {"gain": "-"}. A loop reads the
+            attribute when it is made, and records each value in a column "signal_<name>" of its trace."""
+
+        @property
+        def signal_values(self) -> Dict[str, float]:
+            """Values of `signals` at the last tick, by name."""
 
     @abc.abstractmethod
     def reset(self) -> None:

@@ -1,8 +1,10 @@
 #include "loop_parts.hpp"
 
 #include <algorithm>
+#include <map>
 #include <utility>
 
+#include "base/sentence.hpp"
 #include "burnish/mpc/mpc.hpp"
 #include "burnish/sim/scene.hpp"
 
@@ -206,6 +208,12 @@ class ControllerPart::Adaptor final : public Controller {
     for (const char* name : {"reset", "tick"}) (void)attribute(controller, "Controller", name);
     if (nv_ < 0) throw Error("Controller.nv: got " + std::to_string(nv_) + "; wanted at least 0");
     command_.tau = Eigen::VectorXd::Zero(nv_);
+    using Units = std::map<std::string, std::string>;
+    if (py::hasattr(controller, "signals"))
+      for (const auto& [name, unit] : read<Units>(controller, "Controller", "signals"))
+        signals_.push_back({name, unit});
+    if (!signals_.empty()) (void)attribute(controller, "Controller", "signal_values");
+    values_.resize(signals_.size());
     if (!py::hasattr(controller, "touches")) return;
     using Frames = std::optional<std::vector<std::string>>;
     if (const Frames frames = read<Frames>(controller, "Controller", "touches"))
@@ -214,6 +222,10 @@ class ControllerPart::Adaptor final : public Controller {
 
   int nv() const override { return nv_; }
   std::optional<std::vector<TouchSensor>> touches() const override { return touches_; }
+  std::vector<TraceColumn> signals() const override { return signals_; }
+  void write_signals(std::span<double> values) const noexcept override {
+    std::copy(values_.begin(), values_.end(), values.begin());
+  }
 
   void reset() noexcept override {
     try {
@@ -229,6 +241,7 @@ class ControllerPart::Adaptor final : public Controller {
     try {
       const py::gil_scoped_acquire lock;
       take(object_.attr("tick")(measurement));
+      take_signals();
     } catch (...) {
       kept.keep();
       command_.status = failed;
@@ -258,8 +271,24 @@ class ControllerPart::Adaptor final : public Controller {
     command_ = command;
   }
 
+  /// Reads the values of all signals.
+  void take_signals() {
+    if (signals_.empty()) return;
+    using Values = std::map<std::string, double>;
+    const Values values = read<Values>(object_, "Controller", "signal_values");
+    for (std::size_t i = 0; i < signals_.size(); ++i) {
+      const auto at = values.find(signals_[i].name);
+      if (at == values.end())
+        throw Error("Controller.signal_values: got no value for signal " +
+                    in_quotes(signals_[i].name) + "; wanted one for each entry of 'signals'");
+      values_[i] = at->second;
+    }
+  }
+
   py::object object_;
   int nv_;
+  std::vector<TraceColumn> signals_;
+  std::vector<double> values_;  ///< Values of signals_ at the last tick.
   std::optional<std::vector<TouchSensor>> touches_;
   Command command_;
 };

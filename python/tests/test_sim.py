@@ -426,6 +426,39 @@ def test_python_exception_comes_out_of_run(robot, q, scene, part):
     assert loop.run(0.04) == Status.OK
 
 
+def test_signals_of_a_controller_are_columns_of_the_trace(robot, q, scene):
+    class Counting(Posture):
+        signals = {"ticks": "-", "last": "s"}
+        signal_values = {}
+
+        def reset(self):
+            super().reset()
+            self.count = 0
+
+        def tick(self, measurement):
+            self.count += 1
+            self.signal_values = {"last": measurement.time, "ticks": self.count}
+            return super().tick(measurement)
+
+    plant = burnish.make_ideal_plant(robot.model, scene)
+    loop = burnish.ClosedLoop(plant, Counting(robot.model, q))
+    loop.reset(q)
+    loop.run(0.01)
+    trace = loop.trace
+    assert trace["signal_ticks"][-1] == sum(trace["tick"])
+    assert trace["signal_last"][-1] == trace["time"][np.flatnonzero(trace["tick"])[-1]]
+    assert trace.units["signal_last"] == "s"
+
+    class Forgetful(Counting):
+        def tick(self, measurement):
+            return Posture.tick(self, measurement)
+
+    loop = burnish.ClosedLoop(plant, Forgetful(robot.model, q))
+    loop.reset(q)
+    with pytest.raises(burnish.Error, match="got no value for signal 'last'"):
+        loop.step()
+
+
 def test_python_exception_comes_out_of_reset_and_step(robot, q, scene):
     class Plant(Wrapped):
         def reset(self, q, v=None):

@@ -14,6 +14,10 @@ int MpcController::nv() const { return impl_->problem.layout().nv; }
 std::optional<std::vector<TouchSensor>> MpcController::touches() const {
   return touch_sensors(impl_->spec);
 }
+std::vector<TraceColumn> MpcController::signals() const { return impl_->signals(); }
+void MpcController::write_signals(std::span<double> values) const noexcept {
+  impl_->write_signals(values);
+}
 void MpcController::reset() noexcept { impl_->reset(); }
 const Command& MpcController::tick(const Measurement& measurement) noexcept {
   return impl_->tick(measurement);

@@ -30,8 +30,12 @@ struct MpcController::Impl {
   Status set_payload(std::string_view frame, const InertiaSpec& payload);
   double payload_mass() const noexcept { return payloads_.mass(); }
   const Command& tick(const Measurement& m) noexcept;
+  std::vector<TraceColumn> signals() const;
+  void write_signals(std::span<double> values) const noexcept;
 
  private:
+  template <class See>
+  void each_signal(const See& see) const;
   void reset_inputs() noexcept;
   // Steps of a tick.
   bool has_settled() const noexcept;

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
+#include <map>
 
 #include "base/to_size.hpp"
 #include "burnish/mpc/controller.hpp"
@@ -254,6 +255,38 @@ void add_limits(PageFiller& fill, const Trace& trace) {
     fill.copy(name, name);
 }
 
+/// Prefix of the columns of a trace with the signals of the controller (ClosedLoop).
+constexpr const char* signal_prefix = "signal_";
+/// Largest number of signals with one unit on a page; a plot has seven colours.
+constexpr std::size_t max_signals = 7;
+
+/// Returns the signals that a page shows: all signals of a unit, or those with the largest absolute
+/// values.
+std::vector<int> shown_signals(const Trace& trace) {
+  std::map<std::string, std::vector<int>> of_unit;
+  for (std::size_t i = 0; i < trace.columns().size(); ++i)
+    if (trace.columns()[i].name.starts_with(signal_prefix))
+      of_unit[trace.columns()[i].unit].push_back(static_cast<int>(i));
+  const auto peak = [&](int column) {
+    double largest = 0.0;  // stays 0 if all values are NaN
+    for (const double value : trace.column(column))
+      largest = std::max(largest, std::isfinite(value) ? std::abs(value) : 0.0);
+    return largest;
+  };
+  std::vector<int> shown;
+  for (auto& [unit, columns] : of_unit) {
+    if (columns.size() > max_signals) {
+      std::map<int, double> peaks;
+      for (const int column : columns) peaks[column] = peak(column);
+      std::stable_sort(columns.begin(), columns.end(),
+                       [&](int a, int b) { return peaks[a] > peaks[b]; });
+      columns.resize(max_signals);
+    }
+    shown.insert(shown.end(), columns.begin(), columns.end());
+  }
+  return shown;
+}
+
 std::vector<PagePhase> phases_of(const Trace& trace, const std::vector<std::string>& names) {
   const auto name_of = [&](double phase) {
     const auto place = to_size(std::max(0.0, phase));
@@ -310,6 +343,7 @@ int page_stride(const Trace& trace, const Model& model, int record_every, const 
   const auto of_supports =
       std::count_if(trace.columns().begin(), trace.columns().end(),
                     [](const TraceColumn& column) { return column.name.starts_with("support_"); });
+  columns += static_cast<int>(shown_signals(trace).size());
   if (of_supports > 0) columns += standing_columns + static_cast<int>(3 * of_supports / 2);
   constexpr double bytes_per_entry = 4.0 * 4.0 / 3.0;
   const double rows = std::clamp(size.max_megabytes * 1e6 / (columns * bytes_per_entry), 100.0,
@@ -337,6 +371,10 @@ void add_trace(RunPage& page, const Trace& trace, int record_every, const PageSi
   add_joints(fill, model, trace);
   add_standing(fill, page, trace);
   add_limits(fill, trace);
+  for (const int column : shown_signals(trace)) {
+    const std::string& name = trace.columns()[to_size(column)].name;
+    fill.copy(name, name);
+  }
   page.phases = phases_of(trace, page.phase_names);
   PageSolver solver = page.solver.value_or(PageSolver{});
   add_solver(solver, trace, size.max_plans);

@@ -6,6 +6,7 @@
 #include <functional>
 #include <limits>
 #include <set>
+#include <span>
 #include <utility>
 
 #include "base/decomposition.hpp"
@@ -131,6 +132,8 @@ class Row {
   void put(const Eigen::Ref<const Eigen::VectorXd>& values) {
     for (const double value : values) put(value);
   }
+  /// Returns the next `count` entries, for a function that fills them.
+  std::span<double> next(std::size_t count) { return {std::exchange(at_, at_ + count), count}; }
 
  private:
   double* at_;
@@ -495,6 +498,12 @@ std::vector<ClosedLoop::Impl::Signal> ClosedLoop::Impl::signals_of(const Model& 
     if (all[i].is_support)
       add(wrench_on(all[i].frame),
           [i](L l) { return l.plant->wrenches().col(static_cast<Eigen::Index>(i)); });
+  std::vector<TraceColumn> published = controller->signals();
+  for (TraceColumn& column : published) column.name.insert(0, "signal_");
+  const std::size_t count = published.size();
+  result.push_back({std::move(published),
+                    [count](L l, Row& row) { l.controller->write_signals(row.next(count)); },
+                    is_of_step});
   return result;
 }
 
@@ -507,7 +516,7 @@ std::vector<TraceColumn> ClosedLoop::Impl::columns_of(const std::vector<Signal>&
     for (const TraceColumn& column : signal.columns) {
       if (!names.insert(column.name).second)
         throw Error("the trace has two columns " + in_quotes(column.name) +
-                    "; wanted another name for one of the touches or joints");
+                    "; wanted another name for one of the touches, joints or signals");
       columns.push_back(column);
     }
   return columns;

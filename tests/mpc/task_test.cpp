@@ -120,6 +120,28 @@ TEST(MpcTask, Aim_SetsTheTargetsAtTheScheduleTime) {
   EXPECT_THROW(std::rethrow_exception(run.mpc->take_exception()), std::runtime_error);
 }
 
+TEST(MpcTask, Signals_AreTheEstimatesAndThenThoseOfTheTask) {
+  ToyController run([](MpcSpec& spec) { spec.model_error.kind = ModelErrorKind::Torque; });
+  run.toy->heat = 0.4;
+  run.m.tau[2] += 5.0;
+  run.tick_to(0.1);
+  const std::vector<TraceColumn> signals = run.mpc->signals();
+  const Eigen::VectorXd& error = run.mpc->torque_error();
+  ASSERT_EQ(signals.size(), static_cast<std::size_t>(error.size()) + 1);
+  std::vector<double> values(signals.size());
+  {
+    const AllocationGuard guard;
+    run.mpc->write_signals(values);
+  }
+  EXPECT_EQ(signals[2].name, "torque_error_" + run.mpc->problem().model().v_name(2));
+  EXPECT_EQ(signals[2].unit, "Nm");
+  EXPECT_NE(error.norm(), 0.0);
+  EXPECT_EQ(Eigen::Map<Eigen::VectorXd>(values.data(), error.size()), error);
+  EXPECT_EQ(signals.back().name, "heat");
+  EXPECT_EQ(signals.back().unit, "K");
+  EXPECT_EQ(values.back(), 0.4);
+}
+
 TEST(MpcTask, NoTask_RunsTheScheduleByTime) {
   MpcSpec spec = toy_spec();
   MpcController mpc(spec);

@@ -280,6 +280,28 @@ TEST(RunPage, CarriedSurface_TipOverItsPath_IsDrawnOnThePath) {
   EXPECT_LT(max_off_circle(page, "target_u", "target_w"), 1e-7);
 }
 
+TEST(RunPage, SignalsOfTheController_AreTheSevenLargestOfEachUnit) {
+  RunPage page = page_of_run();
+  const Trace plain = page_trace(page.robot.model, 100);
+  std::vector<TraceColumn> columns = plain.columns();
+  for (int i = 0; i < 9; ++i) columns.push_back({"signal_" + std::to_string(i), "Nm"});
+  columns.push_back({"signal_ratio", "-"});
+  Trace trace(columns, 100);
+  for (int row = 0; row < 100; ++row) {
+    double* const values = trace.add_row();
+    for (std::size_t c = 0; c < plain.columns().size(); ++c)
+      values[c] = plain.at(row, static_cast<int>(c));
+    for (int i = 0; i < 9; ++i) values[trace.index("signal_" + std::to_string(i))] = -i * row;
+    values[trace.index("signal_ratio")] = row == 3 ? std::nan("") : 0.5;
+  }
+  add_trace(page, trace, 1);
+  std::vector<std::string> names;
+  for (const PageColumn& column : page.columns)
+    if (column.name.starts_with("signal_")) names.push_back(column.name);
+  EXPECT_EQ(names, (std::vector<std::string>{"signal_ratio", "signal_8", "signal_7", "signal_6",
+                                             "signal_5", "signal_4", "signal_3", "signal_2"}));
+}
+
 /// Adds the trace of a standing robot to a page, with the tool's columns of page_trace().
 void fill_that_stands(RunPage& page, const StandingTrace& standing,
                       const StandingTrace::Change& change) {

@@ -48,6 +48,45 @@ TEST(ClosedLoop, PolishingRun_ApproachesTouchesRampsAndTracks) {
   EXPECT_EQ(trace.dropped(), 0);
 }
 
+/// Zero torque, with two signals: the number of ticks, and the time of the last tick.
+class CountingTicks final : public Controller {
+ public:
+  explicit CountingTicks(int nv) { command_.tau.setZero(nv); }
+  int nv() const override { return static_cast<int>(command_.tau.size()); }
+  std::vector<TraceColumn> signals() const override { return {{"ticks", "-"}, {"ticked_at", "s"}}; }
+  void write_signals(std::span<double> values) const noexcept override {
+    values[0] = ticks_;
+    values[1] = time_;
+  }
+  void reset() noexcept override { ticks_ = 0; }
+  const Command& tick(const Measurement& m) noexcept override {
+    ++ticks_;
+    time_ = m.time;
+    return command_;
+  }
+
+ private:
+  Command command_;
+  int ticks_ = 0;
+  double time_ = 0.0;
+};
+
+TEST(ClosedLoop, SignalsOfTheController_AreColumnsOfTheTrace) {
+  const Model& model = right_arm();
+  const std::unique_ptr<Plant> plant = ideal(model, SceneSpec{});
+  CountingTicks controller(model.nv);
+  ClosedLoop loop(*plant, controller, {}, {.control_period = 2.0 * plant->dt()});
+  ASSERT_EQ(loop.reset(plant->q(), plant->v()), Status::Ok);
+  for (int i = 0; i < 6; ++i) ASSERT_EQ(loop.step(), Status::Ok);
+  const Trace& trace = loop.trace();
+  const int last = trace.index("signal_ticked_at");
+  EXPECT_EQ(trace.columns()[static_cast<std::size_t>(last)].unit, "s");
+  for (int row = 0; row < 6; ++row) {
+    EXPECT_EQ(trace.column("signal_ticks")[row], 1 + row / 2);
+    EXPECT_NEAR(trace.at(row, last), (row - row % 2) * plant->dt(), 1e-12);
+  }
+}
+
 TEST(ClosedLoop, BetweenTicks_TheTorqueIsConstant) {
   PolishingRun run({}, ideal);
   ASSERT_EQ(run.run(0.05), Status::Ok);

@@ -35,6 +35,8 @@ class ToyTask final : public MpcTask {
     out[0] = {toy_->heat, 1.0};
     out[1] = {toy_->sway, 1.0};
   }
+  std::vector<TraceColumn> signals() const override { return {{"heat", "K"}}; }
+  void write_signals(std::span<double> values) const noexcept override { values[0] = toy_->heat; }
   void aim(double time, Command& command) override {
     if (toy_->aim) toy_->aim(time, command);
   }

@@ -388,6 +388,42 @@ export const jointSpecs = (runs: Run[], joint: string): PlotSpec[] =>
     joint === allJoints ? allJointsSpec(runs, quantity) : oneJointSpec(runs, quantity, joint),
   );
 
+const signalPrefix = 'signal_';
+
+/** One plot for each unit of the signals that the controller published. */
+function signals(runs: Run[]): PlotSpec[] {
+  const units = new Map<string, string[]>();
+  for (const run of runs)
+    for (const [name, { unit }] of run.columns) {
+      if (!name.startsWith(signalPrefix)) continue;
+      const names = units.get(unit) ?? [];
+      if (!names.includes(name)) units.set(unit, [...names, name]);
+    }
+  return [...units].map(([unit, names]) => {
+    const shown = unit === '-' ? '1' : unit === 'Nm' ? 'N m' : unit;
+    return {
+      id: `${signalPrefix}${unit}`,
+      title: `Signals of the controller [${shown}]`,
+      about:
+        'Values that the controller publishes, such as estimates; at most the seven with the largest values',
+      axis: `signal [${shown}]`,
+      curves: names.flatMap((name, i) =>
+        perRun(runs, name, {
+          label: name.slice(signalPrefix.length).replace(/_/g, ' '),
+          unit: unit === '-' ? '' : shown,
+          decimals: 4,
+        }).map((curve) => ({
+          ...curve,
+          ...(runs.length > 1
+            ? { label: `${curve.label}, ${name.slice(signalPrefix.length)}` }
+            : categorical(i)),
+        })),
+      ),
+      height: 170,
+    };
+  });
+}
+
 const withCurves = (specs: PlotSpec[]): PlotSpec[] => specs.filter((s) => s.curves.length > 0);
 
 export const contactSpecs = (runs: Run[]): PlotSpec[] =>
@@ -400,4 +436,4 @@ export const contactSpecs = (runs: Run[]): PlotSpec[] =>
   ]);
 export const forceSpec = normalForce;
 export const controllerSpecs = (runs: Run[]): PlotSpec[] =>
-  withCurves([solverTime(runs), iterations(runs), limits(runs), costs(runs)]);
+  withCurves([solverTime(runs), iterations(runs), limits(runs), costs(runs), ...signals(runs)]);

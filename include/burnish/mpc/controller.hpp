@@ -3,11 +3,13 @@
 
 #include <Eigen/Core>
 #include <optional>
+#include <span>
 #include <string>
 #include <string_view>
 #include <vector>
 
 #include "burnish/base/status.hpp"
+#include "burnish/base/trace.hpp"
 #include "burnish/base/views.hpp"
 #include "burnish/estimate/measurement.hpp"
 #include "burnish/model/inertia.hpp"
@@ -65,6 +67,13 @@ class Controller {
   /// of the plant's scene. ClosedLoop throws Error if the controller reads a component of a wrench
   /// that the scene does not measure. WrenchSensor::Automatic stands for the measured components.
   virtual std::optional<std::vector<TouchSensor>> touches() const { return std::nullopt; }
+  /// Returns names and units of the values that the controller publishes, such as estimates.
+  /// ClosedLoop records each value in a column "signal_<name>" of the trace, and the page of a run
+  /// plots them.
+  virtual std::vector<TraceColumn> signals() const { return {}; }
+  /// Writes the values of signals() at the last tick. `values` has one entry per signal. Called
+  /// once per row of a trace. Must not allocate.
+  virtual void write_signals(std::span<double> /*values*/) const noexcept {}
   /// Forgets all previous ticks.
   virtual void reset() noexcept = 0;
   /// Returns the command for a measurement. The returned object is valid until the next call. After

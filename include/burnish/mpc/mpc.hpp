@@ -69,6 +69,13 @@ class MpcController final : public Controller {
   int nv() const override;
   /// Returns the result of touch_sensors() for the specification.
   std::optional<std::vector<TouchSensor>> touches() const override;
+  /// Returns the names of the estimates that change plans, followed by the signals of the task:
+  /// - `torque_error_<joint>` for each actuated joint, with ModelErrorKind::Torque
+  /// (torque_error());
+  /// - `force_error`, with ModelErrorKind::Force (force_error());
+  /// - `friction_<support>` for each support with a friction cone (support_friction()).
+  std::vector<TraceColumn> signals() const override;
+  void write_signals(std::span<double> values) const noexcept override;
   void reset() noexcept override;
   const Command& tick(const Measurement& measurement) noexcept override;
 

@@ -163,6 +163,11 @@ class MpcTask {
   /// force was 1.4 N; 2 N count as contact". Called right after watch() if entry `quantity` of
   /// watched() exceeds its limit.
   virtual void explain(std::size_t /*quantity*/, std::span<char> /*clause*/) const noexcept {}
+  /// Returns names and units of the values that the task publishes in traces and on pages (see
+  /// Controller::signals()). The controller publishes them after its own signals.
+  virtual std::vector<TraceColumn> signals() const { return {}; }
+  /// Writes the values of signals() at the last tick.
+  virtual void write_signals(std::span<double> /*values*/) const noexcept {}
   /// Writes the current targets into Command::p_target_world and Command::target_force. `time` is
   /// the schedule's time [s]. Both targets are recorded in traces. The estimate of the model error
   /// also uses the target force, to compute friction and force feedback. If aim() throws,

@@ -78,6 +78,8 @@ struct ClosedLoopOptions {
 ///     support_<frame>_fx|fy|fz [N], support_<frame>_mx|my|mz [Nm]
 ///                                                  wrench on each support of the scene, in the
 ///                                                  axes of the support's frame
+///     signal_<name>                                values that the controller publishes
+///                                                  (Controller::signals())
 /// Each further touch that is not a support has columns that begin with tool_<frame>_, followed by
 /// x|y|z_world, rx|ry|rz_start, force_x|y|z_world, measured_force_x|y|z_world,
 /// surface_normal_x|y|z_world, in_contact and, for a surface that the robot carries,

@@ -1,0 +1,57 @@
+// Values that an MpcController publishes in traces.
+#include <cmath>
+
+#include "base/to_size.hpp"
+#include "model/joint_entries.hpp"
+#include "mpc/mpc_impl.hpp"
+
+namespace burnish {
+namespace {
+
+/// Returns the unit of a torque error: N for a sliding joint, Nm for a turning joint.
+const char* unit_of_torque(const Model& model, int k) {
+  const Joint& joint = model.joints[to_size(model.joint_of_v[to_size(k)])];
+  return k - joint.v_index < sliding_entries(joint.kind) ? "N" : "Nm";
+}
+
+}  // namespace
+
+/// Calls see(column, value) for each signal of the controller itself. column() returns name and
+/// unit.
+template <class See>
+void MpcController::Impl::each_signal(const See& see) const {
+  const Model& model = spec.problem.model;
+  if (spec.model_error.kind == ModelErrorKind::Torque)
+    for (const int k : problem.layout().actuated)
+      see(
+          [&] {
+            return TraceColumn{"torque_error_" + model.v_name(k), unit_of_torque(model, k)};
+          },
+          error.torque_error()[k]);
+  if (spec.model_error.kind == ModelErrorKind::Force)
+    see([] { return TraceColumn{"force_error", "N"}; }, error.force_error());
+  for (std::size_t i = 0; i < grip.supports().size(); ++i)
+    if (std::isfinite(grip.supports()[i].friction))
+      see(
+          [&] {
+            return TraceColumn{"friction_" + grip.supports()[i].name, "-"};
+          },
+          grip.friction()[static_cast<Eigen::Index>(i)]);
+}
+
+std::vector<TraceColumn> MpcController::Impl::signals() const {
+  std::vector<TraceColumn> columns;
+  each_signal([&](const auto& column, double) { columns.push_back(column()); });
+  for (TraceColumn& column : task->signals()) columns.push_back(std::move(column));
+  return columns;
+}
+
+void MpcController::Impl::write_signals(std::span<double> values) const noexcept {
+  std::size_t count = 0;
+  each_signal([&](const auto&, double value) {
+    if (count < values.size()) values[count++] = value;
+  });
+  task->write_signals(values.subspan(count));
+}
+
+}  // namespace burnish
