@@ -10,6 +10,7 @@
 #include "base/sentence.hpp"
 #include "burnish/base/error.hpp"
 #include "burnish/tasks/polishing/task_file.hpp"
+#include "named_tasks.hpp"
 #include "pressing/arm.hpp"
 #include "robots/known_robots.hpp"
 #include "shell_word.hpp"
@@ -60,6 +61,18 @@ void refuse_robot(const std::string& file, const std::string& option) {
   throw Error(fmt::format("{} is a robot; wanted a task file; did you mean {} {}?", in_quotes(file),
                           option, shell_word(file)));
 }
+/// Refuses the name of a task in place of a task file.
+void refuse_task_name(const std::string& file) {
+  std::error_code ignored;
+  const std::vector<std::string> names = task_names();
+  if (std::filesystem::exists(file, ignored) ||
+      std::find(names.begin(), names.end(), file) == names.end())
+    return;
+  throw Error(fmt::format(
+      "{} is the name of a task; wanted a task file with `task: {}`, such as a copy of a file in "
+      "tasks/{}",
+      in_quotes(file), file, file));
+}
 std::string wanted_of(const std::string& command) {
   if (command == "show") return "a robot";
   return command == "solve" ? "an optimal-control problem" : "a task file of burnish " + command;
@@ -82,6 +95,7 @@ void refuse_file_of_another_command(const std::string& file, const std::string& 
 void refuse_other_file(const std::string& file, const std::string& wanted,
                        const std::string& robot_option) {
   refuse_robot(file, robot_option);
+  refuse_task_name(file);
   refuse_file_of_another_command(file, wanted);
 }
 

@@ -1,5 +1,6 @@
 // Bindings of plants, disturbances, controllers and closed loops.
 #include "bind.hpp"
+#include "bind_derivatives.hpp"
 #include "burnish/sim/closed_loop.hpp"
 #include "loop_parts.hpp"
 #include "specs_estimate.hpp"
@@ -26,7 +27,9 @@ v : array_like, shape (nv,), optional
 Raises
 ------
 EvaluationError
-    If the state is invalid.)";
+    If the state is not finite or not normalized.
+Error
+    If an argument has the wrong number of entries.)";
 
 constexpr const char* plant_step_doc =
     R"(Advances by dt, with constant torques.
@@ -42,7 +45,9 @@ tau : array_like, shape (nv,)
 Raises
 ------
 EvaluationError
-    If the input is invalid or the motion is not finite; the state does not change.)";
+    If the input or the motion is not finite; the state does not change.
+Error
+    If tau has the wrong number of entries.)";
 
 constexpr const char* plant_restore_doc =
     R"(Restores a saved state. The same torques then give the same motion, bit by bit.
@@ -424,10 +429,12 @@ void bind_plant_motion(PlantClass& c) {
   c.def(
        "reset",
        [](BoundPlant& self, const Vector& q, const std::optional<Eigen::VectorXd>& v) {
+         const Model& model = self.plant->model();
+         require_size("Plant.reset", "q", q.size(), model.nq);
+         if (v) require_size("Plant.reset", "v", v->size(), model.nv);
          const py::gil_scoped_release release;
          const Busy::Lock lock(self.busy, "Plant.reset");
-         require(self.plant->reset(
-                     q, v ? *v : Eigen::VectorXd(Eigen::VectorXd::Zero(self.plant->model().nv))),
+         require(self.plant->reset(q, v ? *v : Eigen::VectorXd(Eigen::VectorXd::Zero(model.nv))),
                  "Plant.reset");
        },
        py::arg("q"), py::arg("v") = py::none(), plant_reset_doc)
@@ -438,6 +445,7 @@ void bind_plant_motion(PlantClass& c) {
               throw py::type_error(
                   "Plant.step: got more than the torques; wanted pushes in Disturbances.pushes of "
                   "a ClosedLoop, or J^T f added to tau");
+            require_size("Plant.step", "tau", tau.size(), self.plant->model().nv);
             const py::gil_scoped_release release;
             const Busy::Lock lock(self.busy, "Plant.step");
             const Status status = self.plant->step(tau);

@@ -232,8 +232,10 @@ def test_restored_plant_repeats_the_same_states(robot, q, scene):
 
 def test_invalid_state_or_torque_raises(robot, q, scene):
     plant = burnish.make_ideal_plant(robot.model, scene)
-    with pytest.raises(burnish.EvaluationError, match="Plant.reset"):
+    with pytest.raises(burnish.Error, match=f"Plant.reset: q has 3 entries; wanted {robot.model.nq}"):
         plant.reset(q[:3])
+    with pytest.raises(burnish.EvaluationError, match="Plant.reset"):
+        plant.reset(np.full(robot.model.nq, np.nan))
     plant.reset(q)
     before = plant.q
     with pytest.raises(burnish.EvaluationError, match="Plant.step"):

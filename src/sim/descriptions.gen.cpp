@@ -463,7 +463,7 @@ const Description& description_of(const TouchSpec* /*of*/) {
                  "Radius of a sphere; not used for a rectangle [{m}]",
                  {.least = 0, .open = true})
           .field("surface", &S::surface,
-                 "Surface that the part touches")
+                 "Surface that the part touches; by default without friction")
           .field("is_support", &S::is_support,
                  "Whether the part is a support, on which the robot stands or leans; if false, it"
                  " is a tool")

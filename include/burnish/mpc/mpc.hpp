@@ -62,7 +62,15 @@ class DdpSolver;
 /// actuators must then have the lag of this filter.
 class MpcController final : public Controller {
  public:
-  /// Creates the controller. Throws Error with one sentence if the specification is inconsistent.
+  /// Creates the controller. Throws Error, whose text names entry, value and requirement, for:
+  /// - stages that are impacts or have different steps, a horizon of at most two update periods,
+  ///   force_states, and the torque model 'held';
+  /// - periods, delays, limits or numbers of iterations out of range;
+  /// - frames, supports or resting supports that do not exist, and two touches at one frame;
+  /// - a support without a sensor that is not in contact in every stage, a support that holds
+  ///   rotations and whose sensor measures only force, and a resting support without a sensor;
+  /// - a tool without a force sensor, unless model_error.kind is `torque`;
+  /// - anything that Problem, DdpSolver or MpcSpec::task rejects.
   explicit MpcController(MpcSpec spec);
   ~MpcController() override;
 

@@ -77,7 +77,7 @@ struct TouchSpec {
   double half_x = 0.0;       ///< Half length of a rectangle along x (0: a sphere) [m], >= 0
   double half_y = 0.0;       ///< Half length of a rectangle along y (0: a sphere) [m], >= 0
   double radius = 0.02;      ///< Radius of a sphere; not used for a rectangle [m], > 0
-  SurfaceSpec surface = {};  ///< Surface that the part touches
+  SurfaceSpec surface = {};  ///< Surface that the part touches; by default without friction
   /// Whether the part is a support, on which the robot stands or leans; if false, it is a tool
   /// @more A rectangle must be a support. The surface of a support must be a plane that is fixed in
   /// the world and has an infinite `extent`
