@@ -94,7 +94,7 @@ Layout::Layout(int number, int nv, const IdentificationSpec& spec)
 }
 
 int row_stride(const Windows& windows) {
-  constexpr int rows_per_window = 4;  // Closer rows are nearly redundant
+  constexpr int rows_per_window = 4;  // with more rows, neighbouring rows are nearly equal
   return std::max(1, 2 * windows.torque / rows_per_window);
 }
 

@@ -77,8 +77,9 @@ void check_angles(const TreeSpec& tree, Findings& findings) {
   if (degrees.are_majority())
     findings.warn(degrees.text() + " has " + limits_text(*degrees.odd.front()) +
                   "; limits below two turns were expected. Are the limits in degrees?");
-  // Equal limits stand for a joint whose range nobody measured.
-  constexpr double narrow = 0.12;  // 2 pi rad, read as degrees, are 0.11 rad [rad]
+  // Equal limits stand for a joint whose range nobody measured. If a file converts radians as if
+  // they were degrees, a range of one turn becomes 2 pi * pi / 180 = 0.11 rad.
+  constexpr double narrow = 0.12;  // smallest range that is not suspect [rad]
   const Suspects small = suspects(tree, [](const JointSpec& joint) -> std::optional<bool> {
     if (!std::isfinite(joint.lower) || !std::isfinite(joint.upper)) return std::nullopt;
     return joint.upper > joint.lower && joint.upper - joint.lower < narrow;

@@ -43,7 +43,7 @@ struct RunFiles {
 std::vector<std::string> write_run_files(const RunFiles& run, const RunFilesOptions& options,
                                          const std::filesystem::path& folder, PageWriter& pages);
 
-/// Returns the figures of a fault; null without a fault.
+/// Returns kind, time and values of a fault as JSON; null without a fault.
 nlohmann::ordered_json fault_json(const FaultReport& fault);
 /// Returns the fault for the page; empty without a fault.
 std::optional<PageFault> page_fault(const FaultReport& fault);

@@ -270,7 +270,8 @@ void DdpSolver::Impl::take_limited_step() {
   point_policies();
 }
 
-/// Sets the feedforwards so that the policies reproduce the direction, even if it was shortened.
+/// Sets the feedforward of each policy so that the policy yields du at dx. This also holds after
+/// the step (dx, du) has been scaled down.
 void DdpSolver::Impl::point_policies() {
   for (int k = 0; k < N; ++k) {
     const PolicyStorage p = policy(k);

@@ -41,7 +41,8 @@ struct LimitedLqBudget {
   /// Number of factorizations after which the interior-point method detects the active rows, if at
   /// least 20 remain in the budget. With 0, a cold start begins with the interior-point method.
   int interior_after = 8;
-  /// Tolerance of multiplier changes, divided by the weight and the scale of the row.
+  /// Largest change of a multiplier between sweeps at which the solution is accepted. The change is
+  /// divided by the weight and the scale of the row.
   double tolerance = 1e-9;
 };
 
