@@ -89,21 +89,15 @@ class PlanAllocations {
 
 /// Controller that starts the ticks of another controller at the period of the clock, or as soon as
 /// possible, and records their durations.
-class Pacer final : public Controller {
+class Pacer final : public ControllerWrapper {
  public:
   Pacer(MpcController& mpc, std::optional<EstimatedBase>& base, double period, double max_duration,
         bool is_paced)
-      : mpc_(&mpc), base_(&base), period_(period), is_paced_(is_paced) {
+      : ControllerWrapper(mpc), mpc_(&mpc), base_(&base), period_(period), is_paced_(is_paced) {
     const auto capacity = to_size(max_duration / period) + 2;
     for (std::vector<double>* times : {&tick_, &woken_, &plan_, &age_, &plant_})
       times->reserve(capacity);
   }
-  int nv() const override { return mpc_->nv(); }
-  std::optional<std::vector<TouchSensor>> touches() const override { return mpc_->touches(); }
-  Status set_payload(std::string_view frame, const InertiaSpec& payload) override {
-    return mpc_->set_payload(frame, payload);
-  }
-  void reset() noexcept override { mpc_->reset(); }
   const Command& tick(const Measurement& measurement) noexcept override;
 
   bool is_on_path() const { return on_path_; }

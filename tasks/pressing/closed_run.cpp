@@ -23,27 +23,22 @@ double seconds_since(Clock::time_point begin) {
 
 /// Controller that forwards ticks to another controller and measures their computing time. `ticks`:
 /// expected number of ticks. If it exceeds a million, only every nth tick is measured.
-class Stopwatch final : public Controller {
+class Stopwatch final : public ControllerWrapper {
  public:
   Stopwatch(Controller& timed, double ticks)
-      : timed_(&timed), every_(static_cast<long>(std::max(1.0, std::ceil(ticks / max_times)))) {
+      : ControllerWrapper(timed),
+        every_(static_cast<long>(std::max(1.0, std::ceil(ticks / max_times)))) {
     times_.reserve(to_size(ticks / static_cast<double>(every_)) + 2);
   }
-  int nv() const override { return timed_->nv(); }
-  std::optional<std::vector<TouchSensor>> touches() const override { return timed_->touches(); }
-  Status set_payload(std::string_view frame, const InertiaSpec& payload) override {
-    return timed_->set_payload(frame, payload);
-  }
-  double payload_mass() const noexcept override { return timed_->payload_mass(); }
   void reset() noexcept override {
-    timed_->reset();
+    ControllerWrapper::reset();
     times_.clear();
     ticks_ = 0;
   }
   const Command& tick(const Measurement& measurement) noexcept override {
     const bool noted = ticks_++ % every_ == 0 && times_.size() < times_.capacity();
     const Clock::time_point begin = Clock::now();
-    const Command& command = timed_->tick(measurement);
+    const Command& command = ControllerWrapper::tick(measurement);
     if (noted) times_.push_back(seconds_since(begin));
     return command;
   }
@@ -52,7 +47,6 @@ class Stopwatch final : public Controller {
  private:
   static constexpr double max_times = 1e6;  ///< Approximate largest number of stored times, 8 MB.
 
-  Controller* timed_;
   long every_, ticks_ = 0;
   std::vector<double> times_;
 };

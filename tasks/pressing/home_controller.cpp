@@ -27,16 +27,16 @@ constexpr double home_pole = 20.0;
 constexpr double home_tolerance = 0.01;
 constexpr double max_lateness = 2.0;
 
-class HomeController final : public Controller {
+class HomeController final : public ControllerWrapper {
  public:
   HomeController(const Model& model, const HomeMove& move, const std::string& tool,
                  const Eigen::Vector3d& normal_world, Controller& then)
-      : move_(move),
+      : ControllerWrapper(then),
+        move_(move),
         tree_(model),
         body_(model),
         dynamics_(model),
         tool_(body_.frame(tool)),
-        then_(then),
         q_(move.corners.front()),
         zero_(Eigen::VectorXd::Zero(model.nv)),
         error_(zero_),
@@ -54,15 +54,12 @@ class HomeController final : public Controller {
     reset();
   }
 
-  int nv() const override { return tree_.nv; }
-  std::optional<std::vector<TouchSensor>> touches() const override { return then_.touches(); }
   Status set_payload(std::string_view frame, const InertiaSpec& payload) override {
-    const Status status = then_.set_payload(frame, payload);
+    const Status status = ControllerWrapper::set_payload(frame, payload);
     return status == Status::Ok ? dynamics_.set_payload(frame, payload) : status;
   }
-  double payload_mass() const noexcept override { return then_.payload_mass(); }
   void reset() noexcept override {
-    then_.reset();
+    ControllerWrapper::reset();
     is_over_ = started_ = false;
     integral_.setZero();
     error_.setZero();
@@ -77,7 +74,7 @@ class HomeController final : public Controller {
     }
     const double time = measurement.time - begin_;
     is_over_ = is_over_ || has_ended(time);
-    if (is_over_) return then_.tick(measurement);
+    if (is_over_) return ControllerWrapper::tick(measurement);
     command_.status = dynamics_.forward(measurement.q, measurement.v, zero_);
     if (!is_usable(command_.status)) return command_;
     follow(time, measurement);
@@ -132,7 +129,6 @@ class HomeController final : public Controller {
   RigidBody body_;
   ContactDynamics dynamics_;
   int tool_;
-  Controller& then_;
   Command command_;
   bool started_ = false, is_over_ = false;
   double begin_ = 0.0, before_ = 0.0;  ///< Times of the first and the previous measurement [s].

@@ -74,7 +74,8 @@ class CountingTicks final : public Controller {
 TEST(ClosedLoop, SignalsOfTheController_AreColumnsOfTheTrace) {
   const Model& model = right_arm();
   const std::unique_ptr<Plant> plant = ideal(model, SceneSpec{});
-  CountingTicks controller(model.nv);
+  CountingTicks counting(model.nv);
+  ControllerWrapper controller(counting);
   ClosedLoop loop(*plant, controller, {}, {.control_period = 2.0 * plant->dt()});
   ASSERT_EQ(loop.reset(plant->q(), plant->v()), Status::Ok);
   for (int i = 0; i < 6; ++i) ASSERT_EQ(loop.step(), Status::Ok);

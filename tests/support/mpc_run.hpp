@@ -54,13 +54,11 @@ inline polishing::Task short_task() {
 
 /// Controller around another controller: it changes measurements, counts allocations, and records
 /// the largest torques.
-class Watched final : public Controller {
+class Watched final : public ControllerWrapper {
  public:
-  explicit Watched(Controller& inner) : inner_(&inner) {}
-  int nv() const override { return inner_->nv(); }
-  std::optional<std::vector<TouchSensor>> touches() const override { return inner_->touches(); }
+  explicit Watched(Controller& inner) : ControllerWrapper(inner) {}
   void reset() noexcept override {
-    inner_->reset();
+    ControllerWrapper::reset();
     allocations = 0;
     ticks = 0;
   }
@@ -68,7 +66,7 @@ class Watched final : public Controller {
     seen = measurement;
     if (spoil) spoil(seen);
     const AllocationGuard guard;
-    const Command& command = inner_->tick(seen);
+    const Command& command = ControllerWrapper::tick(seen);
     allocations += guard.count();
     ++ticks;
     finite = finite && command.tau.allFinite();
@@ -83,9 +81,6 @@ class Watched final : public Controller {
   long ticks = 0;
   bool finite = true;
   Eigen::VectorXd largest;  ///< largest |tau| per joint, over all ticks
-
- private:
-  Controller* inner_;
 };
 
 struct MpcCase {

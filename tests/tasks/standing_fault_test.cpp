@@ -20,6 +20,7 @@ class StandingFault : public ::testing::Test {
   polishing::RunResult run() const {
     const polishing::RunResult result = polishing::run_task({.task = task, .plan_rate = 0.0});
     EXPECT_LE(result.plant_status, Status::NotConverged);
+    EXPECT_TRUE(result.trace.has("signal_torque_error_" + joints(result).front()));
     for (int row = 0; row < result.trace.rows(); row += 20)
       for (const char* figure : {"tau_command", "tau_applied"})
         for (const std::string& joint : joints(result))

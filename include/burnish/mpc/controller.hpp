@@ -96,4 +96,29 @@ class Controller {
   Controller& operator=(const Controller&) = default;
 };
 
+/// Controller that passes all calls on to another controller. A class that changes or records the
+/// measurements or commands of a controller derives from it, and overrides only what differs.
+class ControllerWrapper : public Controller {
+ public:
+  /// `inner` must outlive the wrapper.
+  explicit ControllerWrapper(Controller& inner) : inner_(&inner) {}
+  int nv() const override { return inner_->nv(); }
+  std::optional<std::vector<TouchSensor>> touches() const override { return inner_->touches(); }
+  std::vector<TraceColumn> signals() const override { return inner_->signals(); }
+  void write_signals(std::span<double> values) const noexcept override {
+    inner_->write_signals(values);
+  }
+  void reset() noexcept override { inner_->reset(); }
+  const Command& tick(const Measurement& measurement) noexcept override {
+    return inner_->tick(measurement);
+  }
+  Status set_payload(std::string_view frame, const InertiaSpec& payload) override {
+    return inner_->set_payload(frame, payload);
+  }
+  double payload_mass() const noexcept override { return inner_->payload_mass(); }
+
+ private:
+  Controller* inner_;
+};
+
 }  // namespace burnish
