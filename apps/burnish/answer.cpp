@@ -79,7 +79,7 @@ class Evaluation {
     return is_usable(status);
   }
 
-  /// Adds the acceleration of contacts and all other results that depend only on the state.
+  /// Adds the contact acceleration and all other results that depend only on the state.
   void add_acceleration(const EvalState& x, Json& result) {
     const bool ok = usable(dynamics_.acceleration(x.q, x.v, x.a));
     const auto add = [&](const char* word, auto&& value) {
@@ -205,8 +205,8 @@ class Evaluation {
 
   Json diagnosis(const EvalState& x) {
     const Eigen::VectorXd rest = Eigen::VectorXd::Zero(model_.nv);
-    // The diagnosis of dependent contacts uses the mass matrix as its metric, so that the mass
-    // matrix must be regular.
+    // The diagnosis of dependent contacts uses the mass matrix as its metric. This matrix must be
+    // invertible.
     const Status status = dynamics_.forward(x.q, rest, rest);
     if (status > Status::SingularContacts && !usable(status)) return nullptr;
     const ContactDiagnosis found = diagnose(model_, dynamics_.contacts(), x.q);

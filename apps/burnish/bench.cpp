@@ -1,4 +1,4 @@
-// burnish bench: computing times for a robot, or for the controller of a task, on this machine.
+// burnish bench: durations of computations for a robot or a task's controller on this machine.
 #include <fmt/format.h>
 
 #include <thread>
@@ -203,7 +203,7 @@ int bench(const BenchArguments& arguments) {
   return exit_ok;
 }
 
-/// Adds the options for measurements of a task instead of a robot.
+/// Adds the options that select a task, in place of a robot, for the measurements.
 void add_task_options(CLI::App* command, BenchArguments& arguments) {
   CLI::Option* task =
       command

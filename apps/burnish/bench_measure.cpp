@@ -108,7 +108,7 @@ Eigen::VectorXd usable_posture(const BenchSpec& spec, std::string& name) {
               "this direction, or the mass matrix is singular; wanted another tool");
 }
 
-/// Measurement of contact dynamics, for single states and for packs of states.
+/// Measurement of contact dynamics, for single states and for packs (SIMD vectors) of states.
 class States {
  public:
   States(const BenchSpec& spec, const Eigen::VectorXd& q0)
@@ -165,7 +165,7 @@ class States {
     report.lines.back().peak_share /= threads;
   }
 
-  /// Returns q moved to a configuration that closes the loops; `otherwise` if this fails.
+  /// Returns a configuration near q that closes the loops. If none is found, returns `otherwise`.
   Eigen::VectorXd closed(const Eigen::VectorXd& q, const Eigen::VectorXd& otherwise) const {
     const LoopProjection on = project_onto_loops(model_, q);
     return on.status == Status::Ok ? on.q : otherwise;

@@ -1,4 +1,4 @@
-// Computing times of the library for one robot: per state, per solver iteration, per control tick.
+// Durations of computations for one robot: per state, per solver iteration, per control tick.
 #pragma once
 
 #include <string>
@@ -12,7 +12,7 @@ struct BenchSpec {
   Robot robot;
   std::string tool = {};     ///< Frame that presses on a plane; empty: default_tool().
   std::string posture = {};  ///< Named posture of the robot; empty: its default posture.
-  int knots = 100;           ///< Number of knots in the horizon; each takes 10 ms.
+  int knots = 100;           ///< Number of knots in the horizon, at intervals of 10 ms.
   int threads = 1;
   bool pin_threads = false;
   double seconds = 0.3;  ///< Approximate time for the measurement of each line of the report [s].
@@ -27,8 +27,8 @@ struct BenchLine {
   double peak_share = 0.0;
   /// Memory allocations per repetition; negative: not counted in this build.
   double allocations = 0.0;
-  /// Durations of the parts of a solver iteration, for the iteration of median duration [s]; zero
-  /// for other groups.
+  /// Durations of the parts of the solver iteration with the median duration [s]. Zero unless
+  /// `group` is "iteration".
   double expand = 0.0, backward = 0.0, trial = 0.0;
 };
 
@@ -40,10 +40,10 @@ struct BenchReport {
   std::vector<BenchLine> lines = {};
 };
 
-/// Measures computing times at random states near the posture, with the tool held along world z.
-/// The plans solve the standard benchmark problem: press with 30 N and draw a circle of 7 cm
-/// radius. Throws Error for an unknown frame or posture, and if the dynamics of the robot in this
-/// contact cannot be evaluated.
+/// Measures durations of computations at random states near the posture, with the tool held along
+/// world z. The plans solve the standard benchmark problem: press with 30 N and draw a circle of 7
+/// cm radius. Throws Error for an unknown frame or posture, and if the dynamics of the robot in
+/// this contact cannot be evaluated.
 BenchReport measure_speed(const BenchSpec& given);
 
 }  // namespace burnish::app

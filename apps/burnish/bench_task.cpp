@@ -87,8 +87,8 @@ class PlanAllocations {
   std::atomic<long> count_ = 0;
 };
 
-/// Controller that starts the ticks of another controller at the period of the clock, or as soon as
-/// possible, and records their durations.
+/// Controller that runs the ticks of another controller and records their durations. The ticks
+/// start periodically in real time, or as soon as possible.
 class Pacer final : public ControllerWrapper {
  public:
   Pacer(MpcController& mpc, std::optional<EstimatedBase>& base, double period, double max_duration,
@@ -225,7 +225,7 @@ class Run {
   std::optional<ClosedLoop> loop_;
 };
 
-/// Returns the largest simulated duration of a run; it includes 5 s for late contact [s].
+/// Returns the longest simulated duration of a run, with 5 s of reserve for late contact [s].
 double max_duration(const polishing::Task& task, const polishing::Setting& setting) {
   return setting.track_end + task.standing.settle + task.retreat_duration + 5.0;
 }

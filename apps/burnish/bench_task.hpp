@@ -1,5 +1,5 @@
-// Computing times of a task's controller on this machine. Plans are measured by their parts. Ticks
-// are measured in real time, while another thread computes the plans.
+// Durations of a task controller's computations on this machine. The parts of a plan are measured
+// separately. Ticks are measured in real time, while another thread computes the plans.
 #pragma once
 
 #include <string>
@@ -21,8 +21,8 @@ struct Spread {
   double median = 0.0, p99 = 0.0, maximum = 0.0;  ///< Durations [s].
 };
 
-/// Computing times of plans on the path. The plans are computed one after the other, in simulated
-/// time.
+/// Durations of the computation of plans on the path. The plans are computed one after the other,
+/// in simulated time.
 struct PlanTimes {
   Spread whole = {}, expand = {}, backward = {}, trial = {};
   /// Mean number of Riccati recursions per plan; above one if constraints are active.
@@ -33,7 +33,7 @@ struct PlanTimes {
 struct RealTime {
   long ticks = 0;
   long missed = 0;    ///< Number of ticks that were still running when the next tick was due.
-  Spread tick = {};   ///< Duration of a tick; it includes the estimation of a floating base.
+  Spread tick = {};   ///< Duration of a tick, including the estimation of a floating base.
   Spread woken = {};  ///< Delay from the due time of a tick to its start.
   Spread plan = {};   ///< Duration of a plan in its own thread.
   Spread age = {};  ///< Age of the plan in use (time since its measurement), sampled at every tick.

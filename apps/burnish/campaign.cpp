@@ -20,7 +20,8 @@ namespace fs = std::filesystem;
 using document::Reader;
 using polishing::PlantKind;
 
-/// Calls see(key, member) for each word of a campaign, in the order of the command line.
+/// Calls see(key, member) for each option of a campaign, in the order of the command line. `key` is
+/// the name of the option in files.
 template <class See>
 void each_word(const See& see) {
   see("seeds", &Campaign::seeds);

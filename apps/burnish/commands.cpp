@@ -13,7 +13,7 @@ void add_polish(CLI::App& app, int& exit_code);
 void add_run(CLI::App& app, int& exit_code);
 void add_experiment(CLI::App& app, int& exit_code);
 void add_merge(CLI::App& app, int& exit_code);
-/// The commands sweep and tune replace this process by the Python package. They set no exit code.
+/// The commands `sweep` and `tune` replace this process by a Python process and set no exit code.
 void add_sweep(CLI::App& app);
 void add_tune(CLI::App& app);
 void add_report(CLI::App& app, int& exit_code);

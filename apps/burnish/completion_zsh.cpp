@@ -55,7 +55,7 @@ std::string zsh_specification(const OptionText& option, const std::string& name)
   if (!option.several && option.names.size() > 1)
     text += fmt::format("({})", fmt::join(option.names, " "));
   text += name;
-  // Accepts --seed 1 and --seed=1.
+  // In zsh, the trailing equals sign makes `--seed 1` and `--seed=1` valid.
   if (!option.value.empty() && name.starts_with("--")) text += "=";
   text += "[" + zsh_escaped(option.meaning) + "]";
   if (!option.value.empty()) text += ":" + zsh_escaped(option.value) + ":" + zsh_action(option);

@@ -56,8 +56,8 @@ Words choices_in(const std::string& type) {
   return CLI::detail::split(type.substr(open + 1, close - open - 1), ',');
 }
 
-/// Sets the completion of an option's value from the choices that the command line accepts, or else
-/// from the name of the value.
+/// Sets the completion of an option's value from the choices in `type`, such as "{mpc,baseline}".
+/// Without choices, the name of the value, such as FILE, decides.
 void find_offer(const std::string& type, OptionText& text) {
   static const std::map<std::string, Words (*)()> words{
       {"SURFACE", surface_names},

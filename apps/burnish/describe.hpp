@@ -31,7 +31,7 @@ struct OptionText {
 struct CommandText {
   std::string name = {};
   std::string meaning = {};
-  std::string footer = {};  ///< Examples and remarks after the options, in lines.
+  std::string footer = {};  ///< Lines with examples and remarks, printed after the options.
   std::vector<OptionText> places = {}, options = {};
 };
 

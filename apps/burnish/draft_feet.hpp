@@ -10,7 +10,7 @@ namespace burnish::app {
 
 /// Lines for the draft of a settings file; all empty for a robot without legs.
 struct DraftedFeet {
-  std::string comment;  ///< Comment that names the feet and the keys of `standing` in task files.
+  std::string comment;  ///< YAML comment: names of the feet, and keys of tasks that stand on them.
   std::string frames;   ///< Entries of `frames:` for frames that the description lacks.
   std::string posture;  ///< Values of a posture `standing` with level soles; empty: none was found.
 

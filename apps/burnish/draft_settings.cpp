@@ -169,8 +169,8 @@ std::string tool_text(const DraftInput& drafted, const DraftedFeet& feet, const 
                             yaml_word(parent), angle(rpy.x()), angle(rpy.y()), angle(rpy.z()));
 }
 
-/// Returns the limits in the robot's description, as lines. The model adds the efforts of followers
-/// to the effort of their leader; the returned efforts do not include them.
+/// Returns the limits in the robot's description, as lines. The efforts of followers, which the
+/// model adds to the effort of their leader, are not included.
 std::string limits_text(const DraftInput& drafted) {
   std::string text;
   drafted.each_free([&](const Joint& joint) {
@@ -221,7 +221,7 @@ void check_tool(const Model& model, const std::string& tool) {
         model.name));
 }
 
-/// Returns the link that is most likely at the end of a body. Links with names such as "tcp" are
+/// Returns the link of a body that most likely carries a tool. Links with names such as "tcp" are
 /// preferred, then links far from the joint; of equally distant links, the last one is returned.
 std::string outermost_link(const Model& model, int body) {
   constexpr double same = 1e-3;  // distances that differ by less count as equal [m]; chosen by hand

@@ -16,7 +16,7 @@ std::vector<std::string> tool_candidates(const Model& model, const std::set<std:
 
 /// Files and frames that a draft refers to.
 struct DraftPlace {
-  std::string key;     ///< Key of `file` in the draft: "urdf" or "mjcf".
+  std::string key;     ///< Key under which the draft states `file`: "urdf" or "mjcf".
   std::string file;    ///< Path of the robot's description, as written into the draft.
   std::string srdf;    ///< Path of the SRDF file, as written into the draft; empty: none.
   std::string tool;    ///< Frame at which the draft places the frame `tool`; empty: a likely link.

@@ -70,8 +70,8 @@ void check_options(const ExperimentArguments& a) {
   if (a.resume && a.force) throw Error("--resume and --force are both given; wanted one of them");
 }
 
-/// Throws Error if the folder of --out contains runs of another campaign. A campaign with other
-/// seeds counts as the same campaign.
+/// Throws Error if the folder of --out contains runs of another campaign. Campaigns that differ
+/// only in their seeds count as one campaign.
 void check_resumed(const ExperimentArguments& a) {
   const std::optional<CampaignFile> there = CampaignFile::read(a.out);
   if (!there) return;

@@ -126,8 +126,8 @@ Json json_of(const Identification& found) {
   return json;
 }
 
-/// Returns whether mass and centre of mass are identifiable. If not, they are omitted from the
-/// printed settings, which would only repeat assumed values.
+/// Returns whether mass and centre of mass are identifiable. If not, the printed settings omit
+/// both, because the values are assumed.
 bool shows_mass(const EstimatedInertia& one) {
   for (int i = 0; i < 4; ++i)
     if (!one.is_shown(i)) return false;

@@ -11,8 +11,8 @@
 
 namespace burnish::app {
 
-/// Prints notes about probable mistakes in the task. If `talks`, also prints the arm's reserves
-/// along the path. `said`: texts from which the task was read.
+/// Prints notes about probable mistakes in the task. If `talks`, also prints the arm's margins to
+/// joint, torque and clearance limits along the path. `said`: texts from which the task was read.
 void describe_job(const polishing::PolishJob& job, const polishing::ReachReport& reach,
                   const std::vector<document::Reader>& said, bool talks);
 

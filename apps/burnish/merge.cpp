@@ -102,7 +102,7 @@ int merge(const MergeArguments& a) {
       throw Error(sentence + (lacks_runs ? missing_shards(a.folders) : ""));
     }
   }();
-  // The folder for the tables may be the folder of a shard.
+  // If the tables are written into the folder of a shard, the runs of the shard are kept.
   const bool beside = std::any_of(a.folders.begin(), a.folders.end(), [&](const auto& each) {
     std::error_code ignored;
     return !a.out.empty() && fs::equivalent(each, a.out, ignored);

@@ -66,8 +66,8 @@ files::SpecTexts<polishing::Task> make_task(const PolishArguments& arguments,
   return said;
 }
 
-/// Returns the controllers to run. The default is MPC and baseline; it is MPC alone if the task
-/// needs plans.
+/// Returns the controllers to run. The default is MPC and baseline, or MPC alone if the task needs
+/// plans.
 std::vector<ControllerKind> controllers_of(const PolishArguments& arguments,
                                            const polishing::Task& task) {
   using enum ControllerKind;
@@ -103,7 +103,7 @@ std::string command_of(const PolishArguments& arguments, const std::string& surf
   return text;
 }
 
-/// Texts from which tasks were read, by the names of their places (surfaces).
+/// Texts from which each task was read, by the name of the place (surface) of the task.
 using Texts = std::map<std::string, std::vector<document::Reader>>;
 
 std::vector<PolishJob> make_jobs(const PolishArguments& arguments, Texts& texts) {

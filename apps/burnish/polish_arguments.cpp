@@ -6,7 +6,7 @@
 namespace burnish::app {
 namespace {
 
-/// Adds the options for what to run.
+/// Adds the options that select the runs.
 void add_polish_task_options(CLI::App& command, PolishArguments& a) {
   command
       .add_option("TASK", a.file,
@@ -65,7 +65,7 @@ void add_polish_task_options(CLI::App& command, PolishArguments& a) {
       ->type_name("S");
 }
 
-/// Adds the options for what to write and print.
+/// Adds the options that select files to write and text to print.
 void add_polish_output_options(CLI::App& command, PolishArguments& a) {
   command
       .add_option("--out", a.out,

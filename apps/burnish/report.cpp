@@ -49,7 +49,7 @@ void rename_entries(Json& list, std::string_view (*current)(std::string_view)) {
   for (Json& entry : list)
     if (entry.is_object() && entry.contains("name") && entry["name"].is_string()) {
       const auto name = entry["name"].get<std::string>();
-      const std::size_t tail = name.rfind('.') + 1;  // figures are "solver.limits_outside"
+      const std::size_t tail = name.rfind('.') + 1;  // keeps a prefix such as "solver."
       entry["name"] = name.substr(0, tail) + std::string(current(name.substr(tail)));
     }
 }

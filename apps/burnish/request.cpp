@@ -172,8 +172,8 @@ std::string forces_of(const EvalRequest& request, const Reader& reader) {
 
 void read_states(const Reader& states, const StateSpace& space, RequestCache& shared,
                  EvalRequest& request) {
-  // Largest memory of all states [bytes]; chosen by hand. All states of a request are in memory at
-  // once.
+  // Largest memory for the states of all requests [bytes]; chosen by hand. All these states are in
+  // memory at once.
   constexpr std::size_t megabyte = 1'000'000, max_bytes = 400 * megabyte;
   shared.state_bytes +=
       states.size() * bytes_of_state(request.robot.model, space.contact_rows.size());
@@ -258,7 +258,7 @@ EvalRequests read_requests(const std::string& text, const std::string& source,
   EvalRequests result;
   RequestCache shared{folder};
   result.is_list = reader.is_list();
-  constexpr std::size_t max_requests = 1000;  // all robots are in memory at once
+  constexpr std::size_t max_requests = 1000;  // chosen by hand; each may load a robot
   if (result.is_list && reader.size() > max_requests) {
     reader.refuse(fmt::format(
         "the list has {} requests; wanted at most {} (each request may have many states)",

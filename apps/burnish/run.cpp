@@ -260,7 +260,7 @@ std::string what_tasks_do() {
   return text;
 }
 
-/// Adds the options for what to run.
+/// Adds the options that select the runs.
 void add_run_task_options(CLI::App* command, RunArguments& a) {
   command->add_option("TASK", a.file, "Task file, with a key such as `task: press_hold`")
       ->type_name("")
@@ -293,7 +293,7 @@ void add_run_task_options(CLI::App* command, RunArguments& a) {
       ->check(CLI::IsMember({"mujoco", "ideal"}));
 }
 
-/// Adds the options for what to write and print.
+/// Adds the options that select files to write and text to print.
 void add_run_output_options(CLI::App* command, RunArguments& a) {
   command->add_option("--out", a.out, "Output folder [a new one: TASK_run, TASK_run_2, ...]")
       ->type_name("DIR");

@@ -139,7 +139,7 @@ void print_followers(const Model& model) {
   table.print();
 }
 
-/// Prints the loops, and the degrees of freedom that they leave at a posture.
+/// Prints the kinematic loops, and how many degrees of freedom remain at a posture.
 void print_loops(const Model& model, const Eigen::VectorXd& q, const std::string& posture) {
   if (model.loops.empty()) return;
   const LoopFreedom freedom = loop_freedom(model, q);

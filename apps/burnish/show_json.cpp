@@ -98,7 +98,7 @@ std::string kind_text(FrameKind kind) {
 
 Eigen::Vector3d roll_pitch_yaw(const Eigen::Matrix3d& R) {
   const double pitch = std::atan2(-R(2, 0), std::hypot(R(0, 0), R(1, 0)));
-  // Gimbal lock: only the sum of roll and yaw is defined.
+  // Gimbal lock: roll and yaw turn about the same axis. The yaw is chosen as zero.
   if (std::hypot(R(0, 0), R(1, 0)) < 1e-9) {
     return {std::atan2(-R(1, 2), R(1, 1)), pitch, 0.0};
   }

@@ -1,4 +1,4 @@
-// Tables of the computing times of control ticks.
+// Tables of the durations of control ticks.
 #pragma once
 
 #include <vector>
@@ -11,8 +11,7 @@ namespace burnish::app {
 void print_times(const std::vector<polishing::PolishJob>& jobs,
                  const std::vector<polishing::RunResult>& results);
 
-/// Prints how the simulation accounts for the computing time of plans, if plans took longer than
-/// the delay that the task assumes.
+/// Prints a note if computing the plans took longer than the delay that the simulation applies.
 void print_timing(const std::vector<polishing::PolishJob>& jobs,
                   const std::vector<polishing::RunResult>& results);
 

@@ -39,7 +39,7 @@ py::array rows_of(const Trace& trace, py::handle owner) {
   return array;
 }
 
-/// Makes a trace from the units of its columns, by name, and from its rows.
+/// Returns a trace with the given rows. `units` holds the unit of each column by its name.
 Trace trace_of(const py::dict& units, const std::optional<Eigen::Ref<const RowMatrix>>& rows) {
   std::vector<TraceColumn> columns;
   for (const auto& [name, unit] : units)

@@ -288,7 +288,7 @@ Model model_of(const py::dict& state) {
   return model;
 }
 
-/// Whether all members of two models are equal.
+/// Returns whether all members of two objects are equal.
 bool same(const py::object& a, const py::object& b) {
   return py::module_::import("burnish._spec").attr("_same")(a, b).cast<bool>();
 }
@@ -309,7 +309,7 @@ py::object equals(const Machine& self, const py::object& other) {
   return py::bool_(equal(self, py::cast<const Machine&>(other)));
 }
 
-/// Returns f(a, b), a vector of `size` entries: for one state, or for each row of two arrays.
+/// Returns f(a, b) (`size` entries) for two vectors, or for each pair of rows of two arrays.
 template <class Function>
 py::array_t<double> by_rows(const py::array_t<double, py::array::c_style | py::array::forcecast>& a,
                             const py::array_t<double, py::array::c_style | py::array::forcecast>& b,

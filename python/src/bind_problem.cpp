@@ -207,7 +207,7 @@ int term_index(const Problem& problem, const char* call, int knot, const Name& t
   return index;
 }
 
-/// Control of a knot: the argument, or an empty vector for a knot without controls.
+/// Returns the control `u` of a knot, or zeros for a knot without controls.
 Eigen::VectorXd control_at(const Problem& problem, const char* call, int knot, const Vector& x,
                            const std::optional<Eigen::VectorXd>& u) {
   check_knot(call, knot, problem.knots());
@@ -220,12 +220,12 @@ Eigen::VectorXd control_at(const Problem& problem, const char* call, int knot, c
   return *u;
 }
 
-/// Entries of a row of each array.
+/// Numbers of entries in one row of each array of by_rows().
 struct RowSizes {
   int a, b, result;
 };
 
-/// Calls f(row of a, row of b, row of the result) for one state or for rows of states.
+/// Calls f(a, b, result) for two vectors, or for each pair of rows of two arrays.
 template <class Function>
 py::array_t<double> by_rows(const char* call, const Numbers& a, const Numbers& b,
                             const RowSizes& sizes, Function&& f) {

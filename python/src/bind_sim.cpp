@@ -525,7 +525,7 @@ std::vector<std::string> frames_of(const SceneSpec& scene) {
   return frames;
 }
 
-/// Sensing together with the touches of the scene for which it was made.
+/// Sensing object, with the touches (tools and feet) of its scene.
 class BoundSensing {
  public:
   BoundSensing(const Model& model, const Disturbances& disturbances, const SceneSpec& scene,

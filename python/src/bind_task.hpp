@@ -101,9 +101,9 @@ Error
 
 /// Names and texts of a task for its bindings.
 struct TaskName {
-  std::string task;     ///< Name, such as "press_hold"
-  std::string prefix;   ///< Prefix of its functions in _core, such as "hold_"
-  std::string result;   ///< Class of its results, such as "HoldResult"
+  std::string task;     ///< Name of the task, such as "press_hold"
+  std::string prefix;   ///< Prefix of the task's functions in _core, such as "hold_"
+  std::string result;   ///< Class of the task's results, such as "HoldResult"
   std::string outcome;  ///< Docstring of RunResult.outcome
   std::string setting;  ///< Condition under which make_setting() raises Error
   /// Condition under which run_task() raises Error, in addition to a contradictory task

@@ -140,7 +140,7 @@ struct ExpansionRoom {
   std::vector<KnotExpansion> out;
 };
 
-/// Writes the linearized dynamics of one knot as a dense matrix (ndx x nz), from either
+/// Writes the linearized dynamics of one knot as a dense matrix (ndx x nz). `e` may have any
 /// DynamicsForm. Columns of controls that the knot lacks are zero.
 void write_dynamics(const StateShape& state, const KnotExpansion& e, int nu, int max_nu,
                     Eigen::Ref<RowMatrix> F) {

@@ -1,4 +1,4 @@
-// Python functions in C++ values, which any thread can copy, call and delete.
+// C++ values that hold Python functions. Any thread can copy, call and delete these values.
 #pragma once
 
 #include <pybind11/pybind11.h>

@@ -156,7 +156,7 @@ class PlantPart::Adaptor final : public Plant {
     return false;
   }
 
-  /// Reads the answer of a call, and the state of the plant after it.
+  /// Reads the return value of a call, and the state of the plant after the call.
   Status take(const py::object& answer, double time) {
     const auto status = answer.is_none() ? Status::Ok : py::cast<Status>(answer);
     if (!is_usable(status)) return status;

@@ -59,8 +59,8 @@ class BoundMpc final : public BoundController {
   MpcController* mpc_;
 };
 
-/// Controller that presses along a path. If the function PressingPath::task throws, its previous
-/// result is used again.
+/// Controller that presses along a path. If the function PressingPath::task throws, the controller
+/// uses the previous result of the function.
 class BoundPressing final : public BoundController {
  public:
   BoundPressing(std::unique_ptr<Controller> made, std::shared_ptr<KeptException> kept)
@@ -98,7 +98,7 @@ class PlantPart {
   const py::object& object() const { return object_; }
   /// Returns and clears the exception that Python code has thrown in reset() or step().
   std::exception_ptr take_exception() noexcept;
-  /// Returns a lock for a plant of the library, to hold while a loop uses the plant; nothing for a
+  /// Returns a lock that a loop holds while it uses a plant of the library. Returns nothing for a
   /// Python plant.
   std::optional<Busy::Lock> lock(const char* what) const;
 

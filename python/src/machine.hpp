@@ -16,7 +16,7 @@ class EvaluationError : public Error {
   using Error::Error;
 };
 
-/// Throws EvaluationError for a status above NotConverged: "ContactDynamics.forward: ...".
+/// Throws EvaluationError for a status worse than NotConverged: "ContactDynamics.forward: ...".
 void require(Status status, const char* what);
 
 /// Lock of an object. Without the GIL, several threads can call an object at the same time, but its

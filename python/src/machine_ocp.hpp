@@ -15,7 +15,7 @@ struct ProblemMachine {
 
   Problem problem;
   Busy busy;
-  std::unique_ptr<ThreadPool> pool;  ///< Threads of evaluations, made on first use
+  std::unique_ptr<ThreadPool> pool;  ///< Threads for evaluations; created on first use
 };
 
 /// Throws Error unless 0 <= knot <= last.

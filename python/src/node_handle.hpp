@@ -14,7 +14,7 @@
 
 namespace burnish::python {
 
-/// Python object of a view. If Python keeps the object after the call, view() throws Error.
+/// Python object with a view of a knot. Once the receiving call has ended, view() throws Error.
 class NodeHandle {
  public:
   NodeHandle(const NodeView& view, const residual::Custom& names, bool with_derivatives)

@@ -51,9 +51,9 @@ struct TypeName {
   static constexpr auto name = py::detail::descr<size>(text.letters);
 };
 
-/// Base of SpecOf<T> for a struct T that is a dataclass in Python and has no description. SpecOf<T>
-/// must be declared before the first binding that uses T. table() is defined in the specs_*.cpp of
-/// the layer. EnumOf is the equivalent for enumerations.
+/// Base of SpecOf<T> for a struct T that is a dataclass in Python, but is not marked @described in
+/// its header. SpecOf<T> must be declared before the first binding that uses T. table() must be
+/// defined in the specs_*.cpp of the layer of T. EnumOf does the same for enumerations.
 template <class T>
 struct AsDataclass : TypeName<T> {
   static const SpecTable& table();
@@ -131,7 +131,7 @@ struct KnownSpec {
   py::object (*make_default)();             ///< Makes a dataclass with default values
   py::object (*round_trip)(py::handle of);  ///< Converts a dataclass to the struct and back
 };
-/// Lists of the types that bindings use: structs and enumerations, without and with descriptions.
+/// Lists of the types that bindings use: structs and enumerations without descriptions, then with.
 std::vector<KnownSpec>& known_specs();
 std::vector<const EnumTable& (*)()>& known_enums();
 std::vector<const Description& (*)()>& known_descriptions();
@@ -140,7 +140,7 @@ std::vector<const Words& (*)()>& known_words();
 std::map<std::string, const Description*> described_specs();
 std::map<std::string, const Words*> described_enums();
 
-/// Conversion of an entry whose type descriptions do not support.
+/// Conversion of an entry of a type that descriptions do not support.
 struct EntryTraits {
   const char* annotation;                  ///< Annotation in Python
   const char* default_value;               ///< Default in Python; "": none
@@ -224,7 +224,7 @@ inline constexpr bool is_optional = false;
 template <class Value>
 inline constexpr bool is_optional<std::optional<Value>> = true;
 
-/// Adds a struct to the lists above when the module is loaded.
+/// Adds a struct to known_descriptions() or known_specs() when the module is loaded.
 template <class Spec>
 inline const bool is_known_spec = [] {
   if constexpr (Described<Spec>)
@@ -262,7 +262,7 @@ bool carry(const char* annotation, const char* default_value = "",
       .second;
 }
 
-std::string wanted_array(Eigen::Index rows, Eigen::Index columns);  ///< -1: any size
+std::string wanted_array(Eigen::Index rows, Eigen::Index columns);  ///< -1 means any size
 
 template <class Value>
 std::string wanted() {

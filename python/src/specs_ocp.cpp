@@ -49,8 +49,8 @@ struct PythonJacobian : PythonResidual {
 
 std::string wanted_function() { return "a function of a NodeView, or None"; }
 
-/// Returns a function of a residual to Python: the original Python function, or a wrapper of a C++
-/// function. `empty`: makes the array to which a C++ function writes.
+/// Converts a function of a residual for Python: returns the original Python function, or a wrapper
+/// of a C++ function. `empty`: makes the array to which a C++ function writes.
 template <class Given, class Function, class Empty>
 py::object function_for_python(const Function& function, Empty empty) {
   if (!function) return py::none();

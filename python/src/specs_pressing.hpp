@@ -17,20 +17,19 @@ struct PlanCube {
   py::array_t<T> array;
 };
 
-/// burnish.pressing.PlanRecord: arrays of a burnish::PlanRecord. The comments of arrays state their
-/// dimensions.
+/// burnish.pressing.PlanRecord: arrays of a burnish::PlanRecord.
 struct PlanArrays {
-  Eigen::VectorXd time;            ///< plans
-  std::vector<std::string> terms;  ///< names of the rows of `costs`
-  RowMatrix costs;                 ///< terms x plans
+  Eigen::VectorXd time;            ///< Times of the first knots, one per plan [s]
+  std::vector<std::string> terms;  ///< Names of the cost terms, which are the rows of `costs`
+  RowMatrix costs;                 ///< Costs, terms x plans
   double step = 0.0;
-  PlanCube<float> q = {};  ///< plans x knots x nq
+  PlanCube<float> q = {};  ///< Configurations, plans x knots x nq
   // Values at the first knot of each plan:
-  RowMatrix x;                ///< plans x nx
-  RowMatrix u;                ///< plans x nu
-  PlanCube<double> K = {};    ///< plans x nu x ndx
-  RowMatrix Vx;               ///< plans x ndx
-  PlanCube<double> Vxx = {};  ///< plans x ndx x ndx
+  RowMatrix x;                ///< States, plans x nx
+  RowMatrix u;                ///< Controls, plans x nu
+  PlanCube<double> K = {};    ///< Feedback gains, plans x nu x ndx
+  RowMatrix Vx;               ///< Gradients of the cost-to-go, plans x ndx
+  PlanCube<double> Vxx = {};  ///< Hessians of the cost-to-go, plans x ndx x ndx
 };
 PlanArrays arrays_of(const PlanRecord& record);
 PlanRecord record_of(const PlanArrays& arrays);

@@ -17,7 +17,7 @@ struct SymmetricEigen {
 SymmetricEigen symmetric_eigen(const Eigen::MatrixXd& A);
 
 /// Returns the X (n x k) that minimises |A X - B| column by column, for A (m x n) and B (m x k). If
-/// several X do, returns the one of minimum norm.
+/// the minimiser is not unique, returns the X of minimum norm.
 Eigen::MatrixXd least_squares(const Eigen::MatrixXd& A, const Eigen::MatrixXd& B);
 
 /// Returns an orthonormal basis, as columns, of the null space of A (m x n). The number of columns

@@ -102,7 +102,7 @@ void check_value(const Field& field, const ValueType& type, const void* at, cons
     const double* numbers = type.numbers(to_read(at));
     const Eigen::Index size = type.rows_of(at) * type.columns_of(at);
     std::for_each(numbers, numbers + size, check);
-    constexpr double min_length = 1e-9;  // chosen by hand
+    constexpr double min_length = 1e-9;  // length that counts as zero; chosen by hand
     if (range.direction && !(Eigen::Map<const Eigen::VectorXd>(numbers, size).norm() > min_length))
       throw Error(subject(path) + " has no direction; wanted " + range.text());
   } else if (type.kind == Kind::List || type.kind == Kind::Map || type.kind == Kind::Optional) {

@@ -74,27 +74,27 @@ concept Worded = std::is_enum_v<T> && requires(T value) {
 };
 
 /// Type of an entry, with functions that read and change a value at its address. The comment of a
-/// member lists the kinds of type for which the member is set.
+/// member names the kinds of type for which the member is set.
 struct ValueType {
   enum class Kind { Number, Count, Flag, Word, Text, Array, List, Map, Optional, Struct, Other };
   Kind kind = Kind::Other;
   std::type_index id = typeid(void);
   void (*assign)(void* to, const void* from) = nullptr;  ///< Copies a value; null: not copyable
-  bool is_unsigned = false;                              ///< Kind Count
-  Eigen::Index rows = 1, columns = 1;                    ///< Kind Array; -1: any number
-  const Words& (*words)() = nullptr;                     ///< Kind Word
-  const Description& (*description)() = nullptr;         ///< Kind Struct
-  const ValueType& (*element)() = nullptr;               ///< Kinds List, Map and Optional
-  std::int64_t (*get)(const void*) = nullptr;            ///< Kinds Count and Word
-  void (*set)(void*, std::int64_t) = nullptr;            ///< Kinds Count and Word
-  std::size_t (*size)(const void*) = nullptr;            ///< Kinds List and Map; Optional: 0 or 1
-  void (*resize)(void*, std::size_t) = nullptr;          ///< Kinds List and Optional; Map: to 0
-  void* (*entry)(void*, std::size_t) = nullptr;          ///< Kinds List, Map and Optional
+  bool is_unsigned = false;                              ///< Kind Count: unsigned integer
+  Eigen::Index rows = 1, columns = 1;                    ///< Kind Array: dimensions; -1: any
+  const Words& (*words)() = nullptr;                     ///< Kind Word: words of the enumeration
+  const Description& (*description)() = nullptr;         ///< Kind Struct: description
+  const ValueType& (*element)() = nullptr;               ///< List, Map, Optional: type of entries
+  std::int64_t (*get)(const void*) = nullptr;            ///< Kinds Count, Word: reads value
+  void (*set)(void*, std::int64_t) = nullptr;            ///< Kinds Count, Word: writes value
+  std::size_t (*size)(const void*) = nullptr;            ///< List, Map: entries; Optional: 0 or 1
+  void (*resize)(void*, std::size_t) = nullptr;          ///< List, Optional: any size; Map: only 0
+  void* (*entry)(void*, std::size_t) = nullptr;          ///< List, Map, Optional: entry by index
   const std::string& (*name)(const void*, std::size_t) = nullptr;  ///< Kind Map: key of an entry
   void* (*named)(void*, const std::string&) = nullptr;  ///< Kind Map: entry by key, added if absent
   bool by_rows = false;                                 ///< Kind Array: stored row by row
-  double* (*numbers)(void*) = nullptr;                  ///< Kind Array
-  Eigen::Index (*rows_of)(const void*) = nullptr;       ///< Kind Array
+  double* (*numbers)(void*) = nullptr;                  ///< Kind Array: address of the numbers
+  Eigen::Index (*rows_of)(const void*) = nullptr;       ///< Kind Array: number of rows
   Eigen::Index (*columns_of)(const void*) = nullptr;
   void (*resize_array)(void*, Eigen::Index, Eigen::Index) = nullptr;
 };

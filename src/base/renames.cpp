@@ -6,7 +6,7 @@
 namespace burnish {
 namespace {
 
-/// Keys, words, keywords and attributes. docs/renames.md explains each row.
+/// Renamed keys, words, keywords and attributes. docs/renames.md explains each row.
 constexpr Rename names[] = {
     // controller: model error, limits of the solver, safety
     {"boost", "transient_scale"},
@@ -71,7 +71,7 @@ constexpr Rename names[] = {
     {"GIVE", "TRACKING"},
 };
 
-/// Columns of traces, and statistics in reports of runs.
+/// Renamed columns of traces, and renamed statistics in reports of runs.
 constexpr Rename columns[] = {
     {"believed_normal_x_world", "estimated_normal_x_world"},
     {"believed_normal_y_world", "estimated_normal_y_world"},

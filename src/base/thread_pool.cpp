@@ -23,7 +23,7 @@ int looks_for(int workers) {
   return cores > 0 && workers > cores ? 0 : looks_with_a_core_each;
 }
 
-/// Factor on the number of polls while the pool is kept awake.
+/// Factor by which an idle thread polls longer while the pool is kept awake.
 constexpr int times_more_awake = 100;
 
 /// Bit of ThreadPool::inside_ that is set while further threads may enter the loop.
@@ -193,8 +193,8 @@ void ThreadPool::serve(int worker) {
     seen = round_.load(std::memory_order_acquire);
     if (stop_.load(std::memory_order_relaxed)) return;
     if (!enter()) continue;
-    // A thread that woke late for the last loop may already have taken part in this loop. It must
-    // not run the same loop twice.
+    // A thread that woke late for the previous loop may already have run this loop. `done` prevents
+    // a second run.
     if (inner_round_ != done) {
       done = inner_round_;
       take_pieces(worker);

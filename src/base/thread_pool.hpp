@@ -31,8 +31,8 @@ int allowed_cores();
 /// call at a time.
 ///
 /// Between two loops, a thread polls for about 100 us before it sleeps, or for about 10 ms while
-/// the pool is kept awake. With more workers than allowed cores, it sleeps immediately. A loop does
-/// not wait for threads that wake up too late to take a piece.
+/// the pool is kept awake. With more workers than allowed cores, the thread sleeps immediately. A
+/// loop does not wait for threads that wake up too late to take a piece.
 class ThreadPool {
  public:
   /// Starts workers - 1 threads. Throws Error for less than one worker. With pinning, also throws
@@ -47,8 +47,8 @@ class ThreadPool {
   /// Returns true if there were at least as many allowed cores as workers at construction.
   bool has_a_core_each() const { return looks_ > 0; }
 
-  /// Guard that makes idle threads poll longer before they sleep. Waking a thread can take as long
-  /// as the work itself.
+  /// Guard that makes idle threads poll longer before they sleep, because waking a thread can take
+  /// as long as the work itself.
   class Awake {
    public:
     explicit Awake(ThreadPool& pool) : pool_(pool) { pool_.awake_.store(true); }

@@ -32,20 +32,20 @@ struct ContactSupport {
 struct CompiledContact {
   ContactSpec spec;
   int tool_body, base_body;     ///< Joint indices, -1 for the world
-  Mat3<double> tool_R, base_R;  ///< Rotations of frames C2, C1 in their bodies
-  Vec3<double> tool_p, base_p;  ///< Positions of frames C2, C1 in their bodies [m]
+  Mat3<double> tool_R, base_R;  ///< Rotations of tool frame C2, base frame C1 in their bodies
+  Vec3<double> tool_p, base_p;  ///< Positions of tool frame C2, base frame C1 in their bodies [m]
   CompiledReference reference;
   Mat3<double> target_R;                ///< Rotation of spec.target
   Vec3<double> target_p;                ///< Position of spec.target [m]
-  std::vector<int> directions;          ///< Constrained directions, ascending, 0 to 5
-  bool proportional, damped;            ///< Whether a constrained direction has kp > 0, kd > 0
+  std::vector<int> directions;          ///< Indices of constrained directions, 0 to 5, ascending
+  bool proportional, damped;            ///< Whether any kp > 0, and whether any kd > 0
   bool holds_rotation;                  ///< Whether a constrained direction is angular
   bool has_friction = false;            ///< Whether spec.friction is set; row 0 is then the normal
   std::vector<ContactSupport> support;  ///< Entries that move tool or base, ascending in v
   /// Entries on which the constrained acceleration depends: the entries of `support` and those that
   /// move only the reference. Ascending in v.
   std::vector<ContactSupport> influences;
-  double offset_weight = 0.0;  ///< Factor of a squared distance in row_size.hpp [1/m^2]
+  double offset_weight = 0.0;  ///< Factor on |p|^2 in attainable_row_size() [1/m^2]
   /// Rows of L^-T J^T (with M = L^T L) that can be nonzero, ascending: entries of `support` and all
   /// their ancestors. Equals `support` unless followers couple branches.
   std::vector<int> coupled;

@@ -44,10 +44,10 @@ class ConstrainedDynamics {
     burnish::set_body_inertia(tree_, body, inertia);
   }
 
-  /// Loads one state per lane: q (nq) and v (nv). A lane that is not finite or not normalised gets
-  /// an error status and is computed at the neutral posture.
+  /// Loads one state per lane: q (nq) and v (nv). A lane with non-finite numbers or rotations that
+  /// are not normalised gets an error status and is computed at the neutral posture.
   void set_state(const S* q, const S* v);
-  /// Does what set_state(q, v) does, with `known`: kinematics of the same tree at (q, v).
+  /// Like set_state(q, v), but copies `known`, the kinematics of the same tree at (q, v).
   void set_state(const S* q, const S* v, const Kinematics<S>& known);
 
   /// Recomputes the active contacts at the loaded state, after contacts, references, surfaces or
@@ -96,16 +96,16 @@ class ConstrainedDynamics {
   int nv() const { return tree_.nv; }
   int rows() const { return active_.rows; }
 
-  // Results, valid after the functions named on the right.
-  std::vector<S> a;                             ///< nv entries: forward, inverse, impact
-  std::vector<S> lambda;                        ///< Active rows: forward, inverse, impact
-  std::vector<S> tau;                           ///< nv entries: inverse
-  std::vector<S> alpha;                         ///< Active rows: acceleration
-  std::vector<S> velocity_after;                ///< nv entries: impact
+  // Results. The comment of a result names the functions that set it.
+  std::vector<S> a;                             ///< nv entries, set by forward, inverse, impact
+  std::vector<S> lambda;                        ///< Active rows, set by forward, inverse, impact
+  std::vector<S> tau;                           ///< nv entries, set by inverse
+  std::vector<S> alpha;                         ///< Active rows, set by acceleration
+  std::vector<S> velocity_after;                ///< nv entries, set by impact
   std::vector<ContactState<S>> contact_states;  ///< One state per contact of the set
-  int proximal_iterations = 0;                  ///< Largest number of all lanes: forward, impact
-  std::vector<S> lane_iterations;               ///< One entry: proximal iterations, per lane
-  /// One entry: largest |mu (lambda - previous lambda)|, per lane [m/s^2; after impact(): m/s]
+  int proximal_iterations = 0;                  ///< Largest of all lanes, set by forward, impact
+  std::vector<S> lane_iterations;               ///< One entry: proximal iterations of each lane
+  /// One entry: largest |mu (lambda - previous lambda)| of each lane [m/s^2; in impact(): m/s]
   std::vector<S> proximal_residual;
 
   // Intermediate results, for the derivatives.
@@ -133,7 +133,7 @@ class ConstrainedDynamics {
  private:
   void load_lanes(const S* q, const S* v);
   void mark(const auto& bad, Status status, std::vector<Status>& of_lanes);
-  /// Copies `count` values. Lanes that are not finite get zeros and status NotFinite.
+  /// Copies `count` values. A lane with a value that is not finite gets zeros and status NotFinite.
   void load_finite(const S* in, int count, S* out);
   void factorize_once();
   void drift(S* out);
@@ -159,9 +159,9 @@ class ConstrainedDynamics {
   ActiveContacts active_;
   int active_version_ = 0;
   std::vector<char> is_active_;
-  std::vector<Mat3<S>> reference_axes_;     ///< Reference axes per contact, in body axes
-  std::vector<CurvedSurface<S>> surfaces_;  ///< One per contact, used if its reference is curved
-  std::vector<S> coefficients_;             ///< One per contact, used if it has friction
+  std::vector<Mat3<S>> reference_axes_;     ///< Axes of each contact's reference, in its body
+  std::vector<CurvedSurface<S>> surfaces_;  ///< Surface of each contact with a curved reference
+  std::vector<S> coefficients_;             ///< Friction coefficient of each contact
   std::vector<S> q_neutral_;
   std::vector<S> q_, v_, drift_;
   /// Right-hand sides and solutions of the contact-space system, rows x stride_. Column 0 belongs
@@ -169,7 +169,7 @@ class ConstrainedDynamics {
   std::vector<S> rho_, solved_, solved_before_;
   int stride_;
   std::vector<int> columns_;           ///< Columns of rho_ to solve for
-  std::vector<S> at_rest_;             ///< nv zeros
+  std::vector<S> at_rest_;             ///< Zero velocity (nv), for impact()
   std::vector<Status> motion_status_;  ///< Status of state and mass matrix, per lane
   std::vector<Status> state_status_;   ///< Status of state, mass matrix and contacts, per lane
   std::vector<Status> status_;         ///< Status of the last evaluation, per lane

@@ -266,7 +266,7 @@ auto ConstrainedDynamics<S>::settle_contradiction(const auto& open) {
       [&](int i, int) { solved_[i] = select(contradicts, solved_[i], solved_before_[i]); });
   lane_iterations[0] = select(contradicts, S(0.0), lane_iterations[0]);
   unconverged = mask_or(mask_and(open, mask_not(contradicts)), refine(contradicts));
-  // Rounding errors have accumulated in the null space.
+  // Removes the rounding errors that have accumulated in the null space.
   remove_null_part(c, c.present, m, columns, solved_.data(), stride_);
   const auto more = mask_and(contradicts, less(proximal_residual[0], largest));
   proximal_residual[0] = select(more, largest, proximal_residual[0]);
@@ -381,7 +381,7 @@ void ConstrainedDynamics<S>::forward(const S* tau_in) {
     for_each_coupled([&](int k, int r) { a[k] += T[k * stride + r] * lambda[r]; });
   }
   solve_factor(tree_, mass_, a.data());
-  // Finite inputs can still overflow.
+  // Results can overflow although the inputs are finite.
   load_finite(a.data(), n, a.data());
   load_finite(lambda.data(), m, lambda.data());
   clear_failed(a);

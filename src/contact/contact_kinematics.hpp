@@ -102,8 +102,8 @@ BURNISH_INLINE Force<S> held_force(const CompiledContact& contact, const Contact
 }
 
 /// Returns the derivative of the friction wrench by entry k of q, at constant lambda. Entry k moves
-/// the tool along axis `tool_axis` and the base along axis `base_axis`; -1 if it does not move the
-/// body. w_axes is the angular velocity of the reference axes at a unit rate of entry k.
+/// the tool along axis `tool_axis` and the base along axis `base_axis`; -1: no motion. w_axes is
+/// the angular velocity of the reference axes at a unit rate of entry k.
 template <class S>
 BURNISH_INLINE Force<S> friction_by_q(const CompiledContact& contact, const ContactState<S>& state,
                                       int tool_axis, int base_axis, const Vec3<S>& w_axes,

@@ -13,7 +13,7 @@ struct Pose {
   Vec3<S> p;
 };
 
-/// Returns the pose in the world of a frame on `body` (-1: the world).
+/// Returns the pose, in world axes, of a frame that is fixed to `body` (-1: the world).
 template <class S>
 BURNISH_INLINE Pose<S> pose_of(int body, const Mat3<double>& R, const Vec3<double>& p,
                                const Kinematics<S>& kinematics) {
@@ -22,16 +22,16 @@ BURNISH_INLINE Pose<S> pose_of(int body, const Mat3<double>& R, const Vec3<doubl
   return {b.R * lift<S>(R), b.p + b.R * lift<S>(p)};
 }
 
-/// Returns component d of a motion in the axes of the reference. `m` is in world axes, about the
-/// reference's origin.
+/// Returns component d of the motion `m` along the reference axes `axes`. `m` is given in world
+/// axes, about the reference's origin.
 template <class S>
 BURNISH_INLINE S component(const Mat3<S>& axes, const Motion<S>& m, int d) {
   return d < 3 ? dot(column(axes, d), m.linear) : dot(column(axes, d - 3), m.angular);
 }
 
-/// Returns the twist of the tool frame relative to the reference. Inputs: the twist `tool` of the
-/// tool, the angular velocity `w_axes` of the reference axes, and a function that returns the twist
-/// of the reference. A reference with its origin at the tool translates with the tool.
+/// Returns the twist of the tool frame relative to the reference. `tool` is the twist of the tool,
+/// and `w_axes` the angular velocity of the reference axes. `twist` is a function that returns the
+/// twist of the reference. A reference with its origin at the tool translates with the tool.
 template <class S>
 BURNISH_INLINE Motion<S> seen_from_reference(const CompiledContact& contact,
                                              const ContactState<S>& state, const Motion<S>& tool,
@@ -50,8 +50,8 @@ BURNISH_INLINE Motion<S> relative_axis(const ContactSupport& entry,
   return entry.moves_tool() ? kinematics.axes[entry.tool_axis].axis + base : base;
 }
 
-/// Rotates state.axes by the smallest rotation that turns their normal into the surface normal at
-/// the tool.
+/// Rotates state.axes by the smallest rotation from the normal of state.axes to the surface normal
+/// at the tool.
 template <class S>
 void update_curved(const CompiledContact& contact, const CurvedSurface<S>& surface,
                    const Kinematics<S>& kinematics, ContactState<S>& state) {
@@ -68,8 +68,8 @@ void update_curved(const CompiledContact& contact, const CurvedSurface<S>& surfa
   state.axes = {turned(state.axes.c0), turned(state.axes.c1), at.n};
 }
 
-/// Fills state.sliding, except for the normal force. The smoothing speed is fade_speed() of the
-/// friction, divided by the step ratio.
+/// Fills state.sliding, except for the normal force. The smoothing speed of the friction is
+/// fade_speed() / step_ratio.
 template <class S>
 BURNISH_INLINE void update_sliding(const CompiledContact& contact, const S& coefficient,
                                    ContactState<S>& state) {
@@ -194,7 +194,7 @@ template <class S>
 void contact_acceleration(const CompiledContact& contact, const ContactState<S>& state,
                           const Motion<S>& a_tool, const Motion<S>& a_base, S* out) {
   using namespace contact_detail;
-  // a_L = a_tool - a_base + v_tool x v_base: the derivative of nu in tool axes.
+  // The derivative of nu in tool axes is a_L = a_tool - a_base + v_tool x v_base.
   Motion<S> alpha = a_tool - a_base + cross(state.eta, state.nu);
   if (contact.base_body >= 0) alpha += cross(state.v_tool, state.v_base);
   const Motion<S> alpha_there = at_point(alpha, state.origin);

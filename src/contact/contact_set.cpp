@@ -14,7 +14,7 @@
 namespace burnish {
 namespace {
 
-/// Returns make(). Puts the contact's name and `what` in front of the Error of make().
+/// Returns the result of make(). Puts the contact's name and `what` before an error message.
 auto compiled(const ContactSpec& spec, const char* what, const auto& make) {
   try {
     return make();

@@ -17,7 +17,7 @@ namespace burnish {
 /// Workspace and result of one evaluation. Only the constructor allocates.
 template <class S>
 struct Contradiction {
-  /// `set` contains all contacts. It is empty if the solver runs no proximal iterations.
+  /// `set` contains all contacts, or no contact if the solver runs no proximal iterations.
   Contradiction(const Tree& tree, const ContactSet& set)
       : rigid(tree, set),
         basis(to_size(set.rows() * set.rows()), S(0.0)),
@@ -25,9 +25,9 @@ struct Contradiction {
     listed.reserve(unmet.size());
   }
 
-  bool found = false;       ///< Whether rows contradict each other in a lane
+  bool found = false;       ///< Whether rows contradict each other in some lane
   S present = S(0.0);       ///< 1 in lanes with a contradiction, 0 in the others
-  Delassus<S> rigid;        ///< Factor of G without compliance, zero at dependent rows
+  Delassus<S> rigid;        ///< Factored G without compliance; inverse_diagonal 0 at dependent rows
   std::vector<S> basis;     ///< Null-space basis, stride x stride: one column per dependent row
   std::vector<int> listed;  ///< Columns of `basis` that are nonzero in some lane
   std::vector<S> unmet;     ///< Residual J a + alpha_0 + kd nu + kp e of each row [m/s^2, rad/s^2]
@@ -87,8 +87,8 @@ void find_null_space(const Tree& tree, const ContactsAtState<S>& contacts,
     }
   }
   contradiction_detail::orthonormalize(of, rows);
-  // Like a proximal iteration, each pass multiplies the components outside the null space (rounding
-  // errors) by mu / (mu + s) for an eigenvalue s of G.
+  // Each pass reduces the components outside the null space, which are rounding errors. It scales
+  // a component along an eigenvector of G with eigenvalue s by mu / (mu + s).
   for (int pass = 0; pass < 2; ++pass) {
     solve_delassus(compliant, rows, std::span<const int>(of.listed), n, m);
     for (int k = 0; k < rows; ++k)
@@ -97,8 +97,8 @@ void find_null_space(const Tree& tree, const ContactsAtState<S>& contacts,
   }
 }
 
-/// Removes the null-space component from X, in lanes where `selected` is 1. X has `rows` rows; only
-/// the columns in `columns` change.
+/// Removes the null-space component from columns `columns` of X, in lanes where `selected` is 1.
+/// X has `rows` rows.
 template <class S>
 void remove_null_part(const Contradiction<S>& of, const S& selected, int rows,
                       std::span<const int> columns, S* x, int stride) {

@@ -12,11 +12,11 @@
 
 namespace burnish {
 
-/// Active contacts and the places of their rows.
+/// Active contacts and the indices of their rows.
 struct ActiveContacts {
   std::vector<int> contacts;   ///< Indices of the active contacts
   std::vector<int> first_row;  ///< First row of each contact of the set, -1 if inactive
-  int rows = 0;                ///< Rows of all active contacts
+  int rows = 0;                ///< Number of rows of all active contacts
 };
 
 /// Contacts of a set at a state of the robot.
@@ -33,13 +33,13 @@ struct Delassus {
   Delassus(const Tree& tree, const ContactSet& set);
 
   std::vector<S> jacobian_by_v;     ///< J^T: nv x stride
-  std::vector<S> T;                 ///< L^-T J^T: nv x stride
+  std::vector<S> T;                 ///< L^-T J^T with M = L^T L: nv x stride
   std::vector<S> factor;            ///< Cholesky factor C of G = C C^T, stride x stride, lower
   std::vector<S> inverse_diagonal;  ///< 1 / C_rr, zero at dependent rows
-  std::vector<S> least_pivot;       ///< Lower bound of the pivot of each row of G
+  std::vector<S> least_pivot;       ///< Lower bound of the pivot of each independent row of G
   std::vector<S> pivot_rounding;    ///< Rounding error of the pivot of each row
   int stride;                       ///< Number of rows if all contacts are active
-  std::vector<std::vector<int>> shared_support;  ///< Entries of v coupled to a pair of contacts
+  std::vector<std::vector<int>> shared_support;  ///< Entries of v coupled to both of two contacts
 };
 
 /// Fills `d`. Returns the lanes in which a row depends on earlier rows. In these lanes the factor
@@ -52,7 +52,7 @@ template <class S>
 auto update_delassus(const Tree& tree, const ContactsAtState<S>& contacts,
                      const MassMatrix<S>& mass, double mu, Delassus<S>& d);
 
-/// Replaces the columns `columns` of X by G^-1 X. X has `rows` rows.
+/// Multiplies the columns `columns` of X by G^-1, in place. X has `rows` rows.
 template <class S>
 void solve_delassus(const Delassus<S>& d, int rows, std::span<const int> columns, S* x, int stride);
 

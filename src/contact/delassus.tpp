@@ -31,8 +31,8 @@ Delassus<S>::Delassus(const Tree& tree, const ContactSet& set)
 
 namespace delassus_detail {
 
-/// Replaces the first `columns` columns of X by L^-T X, with X stored as x[v * stride + column].
-/// The columns must be zero outside contact.coupled, and remain zero there.
+/// Multiplies the first `columns` columns of X by L^-T, in place. X is stored as
+/// x[v * stride + column]. The columns must be and remain zero outside contact.coupled.
 template <class S>
 void transform_coupled(const Tree& tree, const CompiledContact& contact, const MassMatrix<S>& mass,
                        S* x, int stride, int columns) {
@@ -136,7 +136,7 @@ auto update_delassus(const Tree& tree, const ContactsAtState<S>& contacts,
 
 namespace delassus_detail {
 
-/// Solves C columns together, in place: x <- C^-T C^-1 x. The sums stay in registers.
+/// Multiplies C columns of X by G^-1, in place. The sums of these columns stay in registers.
 template <int C, class S>
 void solve_columns(const Delassus<S>& d, int rows, const int* columns, S* x, int stride) {
   const S* const c = d.factor.data();

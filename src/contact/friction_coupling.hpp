@@ -22,7 +22,7 @@ namespace burnish {
 /// Pivot at or below which a contact jams; chosen by hand.
 inline constexpr double least_friction_pivot = 1e-6;
 
-/// Small system of the normal forces of contacts with friction.
+/// Linear equations for the normal forces of all contacts with friction.
 template <class S>
 struct FrictionCoupling {
   FrictionCoupling(const Tree& tree, const ContactSet& set) : nv(tree.nv) {
@@ -44,12 +44,12 @@ struct FrictionCoupling {
 
   int nv, max_contacts = 0;    ///< max_contacts: number of contacts with friction in the set
   std::vector<int> contacts;   ///< Active contacts with friction
-  std::vector<int> rows;       ///< Active row of the normal of each of `contacts`
+  std::vector<int> rows;       ///< Index of the normal row of each of `contacts`
   std::vector<S> torque;       ///< F_j, nv entries per contact
-  std::vector<S> transformed;  ///< L^-T F_j, nv entries per contact
+  std::vector<S> transformed;  ///< L^-T F_j with M = L^T L, nv entries per contact
   std::vector<S> response;     ///< R_j as column j: active rows x max_contacts
-  std::vector<S> factor;       ///< LU factor of the small system, no pivoting; diagonal: 1 / pivot
-  std::vector<S> normal;       ///< lambda_normal
+  std::vector<S> factor;       ///< LU factors of the system of normal forces; diagonal: 1 / pivot
+  std::vector<S> normal;       ///< Normal forces lambda_normal [N]
 };
 
 /// Lists the active contacts with friction.

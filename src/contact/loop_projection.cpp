@@ -37,7 +37,7 @@ Eigen::VectorXd mobility(const Model& model, const std::vector<std::string>& kee
   return result;
 }
 
-/// Damped Gauss-Newton search for closed loops.
+/// Damped Gauss-Newton search for a posture that closes the loops.
 class Descent {
  public:
   Descent(const Model& model, LoopRows& rows, const LoopProjectionOptions& options,
@@ -93,7 +93,7 @@ class Descent {
     return step / std::max(1.0, step.cwiseAbs().maxCoeff());
   }
 
-  /// Returns the mobility, with zeros at joints that would move beyond their limit.
+  /// Returns `mobility_` with additional zeros at joints that would move beyond their limit.
   Eigen::VectorXd movable(const Eigen::VectorXd& q, const Eigen::VectorXd& error) const {
     Eigen::VectorXd result = mobility_;
     if (!options_.within_limits) return result;
@@ -160,7 +160,7 @@ LoopProjection project_onto_loops(const Model& model, const Eigen::Ref<const Eig
   descent.set_range(q);
   // At a dead point the gradient of the error vanishes, so later attempts start beside q.
   constexpr int attempts = 6;
-  constexpr double spread = 0.1;  // largest offset: attempt * spread, chosen by hand [rad, m]
+  constexpr double spread = 0.1;  // attempt i: within i * spread of q; chosen by hand [rad, m]
   std::mt19937_64 generator(20260102);
   double smallest_error = std::numeric_limits<double>::infinity();
   Eigen::VectorXd best = q;

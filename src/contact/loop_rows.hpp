@@ -36,8 +36,8 @@ class LoopRows {
 
 /// Linearly independent rows that span all rows of a matrix.
 struct IndependentRows {
-  std::vector<int> rows;  ///< Indices, ascending
-  double weakest = 1.0;   ///< Smallest length of a chosen row, without its dependent part
+  std::vector<int> rows;  ///< Indices of the rows, ascending
+  double weakest = 1.0;   ///< Smallest length of a row at the time of its choice; at most 1
 };
 /// Chooses independent rows of J one by one. After each choice, the remaining rows are made
 /// orthogonal to the chosen row. The next choice is the first row with at least half the length of

@@ -11,7 +11,7 @@
 namespace burnish {
 namespace {
 
-/// Largest travel that is assumed for a joint that slides, chosen by hand [m].
+/// Assumed largest travel of a sliding joint, chosen by hand [m].
 constexpr double usual_travel = 1.0;
 
 /// Returns the length that the motion of a joint adds to the path through it [m].
@@ -97,9 +97,9 @@ void set_reaches(const Model& model, CompiledContact& contact) {
     }
     contact.support[i].per_reach = distance > 0.0 ? 1.0 / distance : 1.0;
   }
-  // If the reference has its origin elsewhere, lever arms grow with the tool's distance from the
-  // origin. If the reference has its origin at the tool, only rounding errors grow, with the tool's
-  // distance from the world's origin.
+  // If the reference's origin is not at the tool, lever arms grow with the distance between origin
+  // and tool. If the origin is at the tool, only rounding errors grow, with the distance between
+  // tool and world's origin.
   const double per_distance = elsewhere ? 1.0 / longest_arm : 1e-8 / shortest_arm;
   contact.offset_weight = per_distance * per_distance;
 }

@@ -14,8 +14,8 @@ inline constexpr double pivot_rounding = 2e-15;
 /// Returns the length of the longest path from a root joint to a body's centre of mass [m].
 double robot_size(const Model& model);
 
-/// Fills per_reach of the contact's support, and offset_weight. If the reference does not have its
-/// origin at the tool, all joints get the longest lever arm of the robot.
+/// Fills `offset_weight`, and `per_reach` (inverse lever arm) of each entry of `support`. If the
+/// reference's origin is not at the tool, all joints get the longest lever arm of the robot.
 void set_reaches(const Model& model, CompiledContact& contact);
 
 /// Returns the squared length of a row of the Jacobian, with linear entries divided by their
@@ -30,9 +30,9 @@ BURNISH_INLINE S row_size(const CompiledContact& contact, int direction, const S
   return sum;
 }
 
-/// Returns the value that row_size() can attain: 1, plus a term that grows with the distance of the
-/// tool's origin `p` from the origin of the reference. If the reference has its origin at the tool,
-/// the distance from the world's origin replaces it, to account for rounding errors.
+/// Returns the largest value of row_size(): 1, plus a term that grows with the distance between the
+/// tool's origin `p` and the origin of the reference. If the two coincide, the term grows with the
+/// distance between `p` and the world's origin instead, because of rounding errors.
 template <class S>
 BURNISH_INLINE S attainable_row_size(const CompiledContact& contact, int direction,
                                      const Vec3<S>& p, const Vec3<S>& origin) {

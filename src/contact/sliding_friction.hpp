@@ -39,7 +39,7 @@ BURNISH_INLINE Vec3<S> friction_force_change(const Sliding<S>& at, const Vec3<S>
 /// Effect of one entry of v on a contact with friction. Motions are about the world's origin.
 template <class S>
 struct SlidingEntry {
-  Motion<S> tool, relative;  ///< Twist of the tool at unit rate: absolute, relative to the base
+  Motion<S> tool, relative;  ///< Tool twist at a unit rate: in the world, and relative to the base
   Motion<S> dnu_dq;          ///< Derivative of nu by this entry of q, in world axes
   Vec3<S> w_axes;            ///< Angular velocity of the axes at a unit rate
 };

@@ -98,7 +98,7 @@ std::string gains_text(const ContactSpec& spec) {
   return kp + (kp.empty() || kd.empty() ? "" : ", ") + kd;
 }
 
-/// Joins the texts word(contact) of all contacts with " + ". If all texts are equal, returns one.
+/// Joins the texts word(contact) of all contacts with " + ". Returns one text if all are equal.
 std::string joined(const std::vector<ContactSpec>& contacts,
                    const std::function<std::string(const ContactSpec&)>& word) {
   const std::string first = word(contacts.front());

@@ -21,7 +21,7 @@ struct DerivativeBlock {
 /// Largest difference between the two versions of a block.
 struct BlockMismatch {
   double error = 0.0;  ///< Error relative to the scale; infinite if an entry is not finite
-  CheckEntry entry;    ///< Entry with the largest error, without its state
+  CheckEntry entry;    ///< Entry with the largest error; its `state` is not set
 };
 
 /// Compares the entries of a block in their units. The scale of relative errors is the largest

@@ -36,8 +36,8 @@ double largest(const Eigen::Ref<const Eigen::MatrixXd>& block) {
   return result;
 }
 
-/// Returns true if the uncertainty of each group is at most its noise, or at most `wanted` times
-/// its largest entry.
+/// Returns true if the uncertainty of each group is at most the noise of the group, or at most
+/// `wanted` times the largest entry of the group.
 bool settled(const Estimate& best, const std::vector<DifferenceGroup>& groups, double wanted) {
   Eigen::Index first = 0;
   const auto is_settled = [&](Eigen::Index rows, double noise) {

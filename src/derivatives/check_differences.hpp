@@ -9,10 +9,10 @@
 
 namespace burnish {
 
-/// Returns the m values after entry k of the argument has moved by h; NaN if they do not exist.
+/// Function that returns m values after entry k of the argument has moved by h; NaN if undefined.
 using MovedValues = std::function<Eigen::VectorXd(int k, double h)>;
 
-/// Returns an m x n matrix. Column k holds the values after entry k alone has moved by h.
+/// Function that returns an m x n matrix; column k holds the values after entry k moved by h.
 using AllMovedValues = std::function<Eigen::MatrixXd(double h)>;
 
 /// Computes m x n central differences with one step. They are exact for quadratic functions.

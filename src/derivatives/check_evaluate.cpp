@@ -39,7 +39,7 @@ double finer_on(const CheckState& state, const ContactSet& set, const ContactDyn
 }
 
 /// Finite differences of the values at one state. Each column belongs to one entry of the argument.
-/// The rows are the rows of CheckValues::at().
+/// The rows are ordered as in CheckValues::at().
 class Differences {
  public:
   Differences(const Model& model, CheckValues& values, const CheckState& state, bool forward)
@@ -96,7 +96,7 @@ double floor_of(const Eigen::VectorXd& values, const Eigen::VectorXd& units) {
       1e-12, 1e-3 * (values.size() > 0 ? values.cwiseQuotient(units).cwiseAbs().maxCoeff() : 0.0));
 }
 
-/// Builder of the blocks at one state.
+/// Builder of the derivative blocks at one state.
 class Blocks {
  public:
   Blocks(const Model& model, ContactDynamics& dynamics, CheckValues& values,

@@ -11,11 +11,11 @@ namespace burnish {
 namespace {
 
 // Limits of random states; all chosen by hand.
-constexpr double largest_angle = std::numbers::pi - 0.1;  // from tool to target [rad]
+constexpr double largest_angle = std::numbers::pi - 0.1;  // rotation from target to tool [rad]
 constexpr double largest_condition = 1e5;  // condition number of J M^-1 J^T (condition_by_reach)
 constexpr int tries_per_state = 20;
-constexpr double largest_surface_offset = 0.02;  // per axis, relative to the robot's length
-constexpr double largest_tilt = 0.6;             // change of each entry of a unit normal
+constexpr double largest_surface_offset = 0.02;  // from the tool, per axis [robot lengths]
+constexpr double largest_tilt = 0.6;             // random change of each entry of a unit normal
 constexpr double min_normal_cosine = -0.9;       // cos(angle to the first normal); axes jump at -1
 
 /// Returns the position of a contact's tool in its base [m].

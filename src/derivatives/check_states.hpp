@@ -12,7 +12,7 @@
 
 namespace burnish {
 
-/// Arguments of forward (q, v, tau), inverse (q, v, a, lambda) and acceleration (q, v, a).
+/// State (q, v) with the arguments of forward (tau), inverse (a, lambda) and acceleration (a).
 struct CheckState {
   Eigen::VectorXd q, v, tau, a, lambda;
   std::optional<Quadric> surface = {};  ///< Surface that the first contact follows
@@ -29,9 +29,9 @@ class CheckStates {
   /// valid.
   ///
   /// q is within limits and away from jumps of the pose error; if `rigid`, also away from singular
-  /// postures. Entries of v are at most 1 and entries of a at most 5, in rad or robot lengths.
-  /// Entries of lambda are at most a tenth of the weight (forces), or of the weight times the robot
-  /// length (moments). tau is the inverse dynamics of a random acceleration.
+  /// postures. With angles in rad and lengths in robot lengths, entries of v are at most 1 /s, and
+  /// entries of a at most 5 /s^2. Forces in lambda are at most a tenth of the weight, and moments a
+  /// tenth of the weight times the robot length. tau is the inverse dynamics of a random a.
   std::optional<std::vector<CheckState>> draw(ContactDynamics& dynamics, int count, bool rigid);
 
   /// Returns a compliance that regularizes the contacts at singular postures [m/s^2 per N]: a

@@ -58,7 +58,7 @@ Eigen::MatrixXd CheckValues::at(const CheckColumns& states, int n, const Evaluat
     load(states.a, first, n, a_);
     load(states.lambda, first, n, lambda_);
     dynamics_.set_state(q_.data(), v_.data());
-    // Forward dynamics runs last, because SingularMass remains until the next set_state().
+    // Forward dynamics runs last, because a status SingularMass remains until set_state().
     if (wanted.inverse) {
       dynamics_.inverse(a_.data(), lambda_.data());
       store(dynamics_.tau, nv(), nv() + m, first, result);

@@ -8,7 +8,7 @@
 
 namespace burnish {
 
-/// Selection of evaluations.
+/// Selection of the evaluations to run.
 struct Evaluations {
   bool forward = false, inverse = false, acceleration = false;
 };
@@ -38,7 +38,7 @@ class CheckValues {
   /// Replaces the surface that the first contact follows.
   void set_surface(const Quadric& surface);
 
-  /// Returns the sizes at one state. The sizes of a and lambda are zero if M is singular.
+  /// Returns the sizes of terms at one state. The sizes of a and lambda are zero if M is singular.
   CheckSizes sizes(const CheckState& state);
   const CheckUnits& units() const { return units_; }
 

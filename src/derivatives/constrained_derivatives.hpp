@@ -46,7 +46,7 @@ class ConstrainedDerivatives {
     std::vector<int> related;    ///< Joint rows of rhs that are nonzero in these columns, ascending
     std::vector<int> ancestors;  ///< Entries of v in the chain and above it
   };
-  /// Fill rhs_q and rhs_v: the rows of contacts (after the first nv rows), and the rows of joints.
+  /// Fill the contact rows (after the first nv rows) and the joint rows of rhs_q and rhs_v.
   void fill_contact_rows(ConstrainedDynamics<S>& dynamics,
                          const std::vector<CompiledContact>& contacts);
   void fill_joint_rows(ConstrainedDynamics<S>& dynamics);
@@ -54,9 +54,9 @@ class ConstrainedDerivatives {
   void subtract_friction(ConstrainedDynamics<S>& dynamics);
   /// Adds the effect of friction to results that were computed without friction.
   void add_friction(ConstrainedDynamics<S>& dynamics);
-  /// Add the effect of rows that contradict each other to d_dq (contradiction.hpp).
-  /// fill_shifted_rows(), called before rhs_q is filled, computes shifted_: the rows of rhs_q at
-  /// changed forces and accelerations. add_contradiction() then corrects d_dq.
+  /// Correct d_dq if rows contradict each other (contradiction.hpp). Before rhs_q is filled,
+  /// fill_shifted_rows() computes shifted_: the rows of rhs_q at changed forces and accelerations.
+  /// add_contradiction() corrects d_dq after its computation.
   void fill_shifted_rows(ConstrainedDynamics<S>& dynamics);
   void add_contradiction(const ConstrainedDynamics<S>& dynamics);
   /// Fills rhs_q and rhs_v for an impact.
@@ -73,10 +73,10 @@ class ConstrainedDerivatives {
 
   int n_;
   std::vector<CompiledContact> contacts_without_gains_;
-  int version_ = -1;  ///< active_version() for which the lists below are valid
+  int version_ = -1;  ///< active_version() for which the lists of rows are valid
   std::vector<Segment> segments_;
   std::vector<std::vector<int>> shared_ancestors_;  ///< Common ancestors of each pair of segments
-  std::vector<std::vector<int>> segment_rows_;      ///< Segment::related and rows of its contacts
+  std::vector<std::vector<int>> segment_rows_;      ///< Joint and contact rows of each segment
   std::vector<int> all_columns_, contact_rows_, supported_columns_;
   std::vector<char> supported_;
   ArticulatedSolver<S> articulated_;

@@ -379,8 +379,8 @@ void ConstrainedDerivatives<S>::by_state(const ConstrainedDynamics<S>& dynamics,
 }
 
 // Let rho be the right-hand side of G lambda = rho with G = J M^-1 J^T, and n its component in the
-// null space of G. J^T n is zero. The forces lambda = G^+ (rho - n) are orthogonal to the null
-// space. With Z = J M^-1, dlambda/dq is the derivative at constant n and null space, plus terms:
+// null space of G. J^T n is zero. With the pseudoinverse G^+, lambda = G^+ (rho - n). With
+// Z = J M^-1, dlambda/dq is the derivative at constant n and null space, plus two terms:
 //   G^+ G^+ Z d(J^T n)/dq, and the null-space component of d(J y)/dq with y = Z^T G^+ lambda.
 // The rows of rhs_q are affine in lambda and a. Both terms are therefore computed from the
 // difference between shifted_ and rhs_q; shifted_ is rhs_q at changed lambda and a.
@@ -418,7 +418,7 @@ void ConstrainedDerivatives<S>::add_contradiction(const ConstrainedDynamics<S>& 
   for (int r = 0; r < m; ++r)
     for (int k = 0; k < n_; ++k)
       for (int j = 0; j < n_; ++j) d_dq[k * n_ + j] += Z_[r * n_ + k] * solved_[r * n_ + j];
-  // The rows of lambda in shifted_ are -d(J y)/dq. Subtracts their null-space component.
+  // Subtracts the null-space component of the rows of lambda in shifted_, which are -d(J y)/dq.
   S* const by_y = shifted_.data() + n_ * n_;
   const Contradiction<S>& c = dynamics.contradiction();
   for (int i = 0; i < m * n_; ++i) d_dq[n_ * n_ + i] += solved_[i] - by_y[i];

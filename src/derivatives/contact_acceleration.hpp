@@ -26,7 +26,7 @@ ContactAccelerations<S> contact_accelerations(const Tree& tree, const CompiledCo
                                               const InverseDynamics<S>& id,
                                               const ContactState<S>& state);
 
-/// Computes minus the derivatives of contact_acceleration() by q and v at constant joint
+/// Computes the negated derivatives of contact_acceleration() by q and v at constant joint
 /// acceleration. Writes column v for each entry v of `influences`.
 template <class S>
 void contact_acceleration_derivatives(const CompiledContact& contact,

@@ -11,9 +11,9 @@ namespace contact_detail {
 /// Motions at a unit rate of one entry k of v, and derivatives by this entry.
 template <class S>
 struct EntryMotion {
-  Motion<S> tool, base;            ///< S_k if k moves the body, else zero; about the world's origin
+  Motion<S> tool, base;            ///< Tool and base twists: S_k or zero; about the world's origin
   Vec3<S> w_axes;                  ///< Angular velocity of the reference's axes
-  Motion<S> relative;              ///< tool - base
+  Motion<S> relative;              ///< tool - base: twist of the tool relative to the base
   Motion<S> xi;                    ///< Twist of the tool frame relative to the reference
   Motion<S> dnu_dq;                ///< Derivative of nu in tool axes
   Motion<S> dalpha_dq, dalpha_dv;  ///< Derivatives of a_L in tool axes
@@ -98,23 +98,23 @@ inline bool moves_with_tool_alone(const CompiledContact& contact) {
   return contact.base_body < 0 && is_still_or_tool(contact.reference.origin_body) &&
          is_still_or_tool(contact.reference.axes_body);
 }
-/// Returns false if xi is always zero: the reference is fixed to the tool.
+/// Returns false if xi is always zero, because the reference is fixed to the tool.
 inline bool xi_matters(const CompiledContact& contact) {
   const CompiledReference& reference = contact.reference;
   return reference.axes_body != contact.tool_body || reference.origin_body != contact.tool_body;
 }
-/// Returns false if eta is always zero, the twist in alpha = X (a_L + eta x nu).
+/// Returns false if the twist eta in alpha = X (a_L + eta x nu) is always zero.
 inline bool eta_matters(const CompiledContact& contact) {
   return contact.spec.acceleration == Acceleration::Classical ||
          (contact.spec.acceleration == Acceleration::TimeDerivative && xi_matters(contact));
 }
 
-/// Derivatives of eta's angular part in tool axes, for an origin at the tool.
+/// Derivatives, in tool axes, of eta's angular part for a reference with its origin at the tool.
 template <class S>
 struct TurningRates {
   Vec3<S> dq, dv;
 };
-/// Computes the derivatives for axes that follow a surface of the base. The angular part of eta is
+/// Returns the TurningRates of axes that follow a surface of the base. The angular part of eta is
 /// then the angular part of nu minus the angular velocity of the axes relative to the base. `step`
 /// and `dv` are the changes of position and velocity of the tool's point, both relative to the
 /// base.
@@ -150,8 +150,8 @@ BURNISH_INLINE TurningRates<S> turning_rates(const CompiledContact& contact,
   return {m.tool_rate.angular - axes_rate, -turned};
 }
 
-/// Returns how the components of the pose error in the reference change with q_k. The derivative is
-/// a motion at the reference's origin, in world axes.
+/// Returns the derivative by q_k of the pose error's components in the reference. The result is
+/// given as a motion at the reference's origin, in world axes.
 template <class S>
 BURNISH_INLINE Motion<S> error_derivative(const CompiledContact& contact,
                                           const ContactState<S>& state,
@@ -206,13 +206,13 @@ struct EntryRates {
   Motion<S> dq, dv;
 };
 
-/// Values of nu and alpha at the tool, shared by all entries.
+/// Motions nu and alpha at the tool's origin. They do not depend on the entry of v.
 template <class S>
 struct AtTool {
   Motion<S> nu, alpha;
 };
 
-/// Computes the derivatives for a reference with its origin at the tool. eta and xi then rotate
+/// Computes the EntryRates of a reference with its origin at the tool. eta and xi then rotate
 /// about the tool's point, so only their angular parts count. Skips angular rows unless the contact
 /// constrains rotation.
 template <class S>
@@ -240,7 +240,7 @@ BURNISH_INLINE EntryRates<S> rates_at_tool(const CompiledContact& contact,
   return r;
 }
 
-/// Computes the derivatives for a reference with any origin.
+/// Computes the EntryRates of a reference with any origin.
 template <class S>
 BURNISH_INLINE EntryRates<S> rates_anywhere(
     const CompiledContact& contact, const ContactSupport& entry, const Kinematics<S>& kinematics,

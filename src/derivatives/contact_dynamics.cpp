@@ -69,7 +69,6 @@ struct ContactDynamics::Impl {
     return evaluated == Evaluation::Forward || evaluated == Evaluation::Inverse;
   }
 
-  /// Invalidates the last evaluation.
   void invalidate() {
     evaluated = Evaluation::Nothing;
     differentiated = false;
@@ -98,13 +97,12 @@ struct ContactDynamics::Impl {
                      out.data() + 10 * i, static_cast<int>(columns));
   }
 
-  /// Loads a state.
   Status load(const ConstVectorRef& q, const ConstVectorRef& v) {
     if (q.size() != nq || v.size() != nv) return Status::WrongSize;
     dynamics.set_state(q.data(), v.data());
     return copy_state();
   }
-  /// Loads a state whose kinematics are known.
+  /// Loads a state whose kinematics are already computed.
   Status load(const KinematicState& state) {
     if (state.q.size() != nq || state.v.size() != nv ||
         !same_size(state.kinematics, dynamics.kinematics()))
@@ -116,7 +114,7 @@ struct ContactDynamics::Impl {
     return a.bodies.size() == b.bodies.size() && a.axes.size() == b.axes.size();
   }
 
-  /// Copies the mass matrix and quantities of contacts for the views.
+  /// Fills the copies of the mass matrix and of contact quantities, which callers read.
   Status copy_state() {
     const MassMatrix<double>& m = dynamics.mass();
     for (int i = 0; i < nv; ++i)
@@ -127,7 +125,7 @@ struct ContactDynamics::Impl {
     return dynamics.status();
   }
 
-  /// Copies the Jacobian and the velocities of active contacts for the views.
+  /// Fills the copies of the Jacobian and of active contacts' velocities, which callers read.
   void copy_contacts() {
     contacts_changed = false;
     const Delassus<double>& d = dynamics.delassus();
@@ -180,7 +178,7 @@ struct ContactDynamics::Impl {
   std::vector<char> active;
   std::vector<Reference> references;  ///< Current reference of each contact
   RowMatrix mass, jacobian;           ///< Dense copies, nv x nv and rows x nv
-  RowMatrix negated_q, negated_v;     ///< dalpha/dq and dalpha/dv
+  RowMatrix negated_q, negated_v;     ///< dalpha/dq and dalpha/dv: negated rows of rhs_q and rhs_v
   Eigen::VectorXd velocity, error, zeros;
   bool is_loaded = false;         ///< Whether a state is loaded with the present masses
   bool contacts_changed = false;  ///< Whether contacts changed since the state was loaded
@@ -418,7 +416,7 @@ ContactForce ContactDynamics::force(int contact, const Reference& reference) con
   const CompiledReference requested = compile_reference(impl_->model, reference, compiled);
   const Mat3<double> fixed_in = reference_axes(requested, requested.fixed_in, kinematics);
   Reference now = reference;
-  if (now.quadric) {  // replaces the surface by its axes at the tool
+  if (now.quadric) {  // replaces the surface by fixed axes: its axes at the tool
     now.quadric.reset();
     now.rotation = to_eigen(transpose_times(fixed_in, reference_pose(requested, kinematics).R));
   }

@@ -168,7 +168,7 @@ struct ContactDynamicsBatch::Impl {
   ThreadPool pool;
   std::vector<Worker> workers;  ///< One per thread
   std::vector<Status> status;
-  std::vector<char> causes;                ///< nv + rows entries per state; valid unless status Ok
+  std::vector<char> causes;                ///< nv + rows codes per state; valid unless status Ok
   std::vector<std::string> joint_names;    ///< Joint of each entry of v
   std::vector<double> a, lambda;           ///< nv and rows entries per state
   std::vector<double> unmet;               ///< rows entries per state; valid unless status Ok

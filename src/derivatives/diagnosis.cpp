@@ -39,7 +39,7 @@ namespace {
 struct OrthogonalRows {
   std::vector<Eigen::VectorXd> basis;         ///< Orthonormal vectors
   std::vector<Eigen::VectorXd> combinations;  ///< Coefficients of the rows of Y, per vector
-  std::vector<double> uncertain;  ///< Relative rounding error of each squared length before scaling
+  std::vector<double> uncertain;  ///< Relative rounding error of |vector|^2 before normalization
 
   /// Subtracts from a row its projection onto the basis. Returns the rounding error that the
   /// squared length of the remainder has when computed as a pivot (delassus.hpp).

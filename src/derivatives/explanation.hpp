@@ -22,8 +22,8 @@ std::string explain(Status status, const std::vector<std::string>& joints,
                     const std::vector<std::string>& rows, const std::vector<std::string>& jammed,
                     const std::vector<UnmetRow>& unmet = {});
 
-/// Returns "contact rows a/x (0.1 m/s^2) and b/x (-0.1 m/s^2)", with the largest first and at most
-/// twelve rows.
+/// Returns "contact rows a/x (0.1 m/s^2) and b/x (-0.1 m/s^2)". Names at most twelve rows, those
+/// with the largest accelerations first.
 std::string contradicting(std::vector<UnmetRow> rows);
 
 /// Returns the rows whose residual acceleration exceeds a millionth of the largest one. Smaller

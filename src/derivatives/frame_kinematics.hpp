@@ -4,8 +4,8 @@
 //   dv/dq_k = S_k x v + psi'_k,                 psi'_k  = v_lambda x S_k,
 //   da/dq_k = S_k x a + psi'_k x v + psi''_k,   psi''_k = a_lambda x S_k + v_lambda x psi'_k,
 //   da/dv_k = S_k x v + psi'_k + dS_k/dt.
-// The transformation to the reference is d(X m)/dq_k = X (dm/dq_k - V_k x m), see
-// dynamics/reference.hpp.
+// X maps a motion m to a reference, which moves with the twist V_k per unit rate of entry k:
+//   d(X m)/dq_k = X (dm/dq_k - V_k x m), see dynamics/reference.hpp.
 //
 // Matrices are row-major: entry (r, k) is out[r * stride + k]. The functions write only the entries
 // k that move the frame or the reference; all other entries are zero.
@@ -37,7 +37,7 @@ void frame_acceleration_derivatives(const CompiledFrame& frame, const FrameRefer
                                     const Kinematics<S>& kinematics, const InverseDynamics<S>& id,
                                     const FrameState<S>& state, StateDerivatives<S> out);
 
-/// Computes dp/dq of the frame's origin in world axes, 3 x nv.
+/// Computes dp/dq (3 x nv) for the position p of the frame's origin in world axes.
 template <class S>
 void frame_position_derivative(const CompiledFrame& frame, const Kinematics<S>& kinematics,
                                const FrameState<S>& state, S* dq, int stride);
@@ -48,13 +48,13 @@ template <class S>
 void frame_rotation_derivative(const CompiledFrame& frame, const Kinematics<S>& kinematics,
                                const FrameState<S>& state, S* dq, int stride);
 
-/// Computes d(error.rotation)/dq at a constant target, 3 x nv. The angle must be below pi.
+/// Computes d(error.rotation)/dq for a fixed target, 3 x nv. |error.rotation| must be below pi.
 template <class S>
 void frame_rotation_error_derivative(const CompiledFrame& frame, const Kinematics<S>& kinematics,
                                      const FrameState<S>& state, const FrameError<S>& error, S* dq,
                                      int stride);
 
-/// Computes d(error.placement)/dq at a constant target, 6 x nv. The angle must be below pi.
+/// Computes d(error.placement)/dq for a fixed target, 6 x nv. |error.rotation| must be below pi.
 template <class S>
 void frame_placement_error_derivative(const CompiledFrame& frame, const Kinematics<S>& kinematics,
                                       const FrameState<S>& state, const FrameError<S>& error, S* dq,

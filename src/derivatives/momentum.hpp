@@ -19,11 +19,11 @@ template <class S>
 struct MomentumDerivatives {
   explicit MomentumDerivatives(const Tree& tree);
 
-  std::vector<S> com_dq;           ///< 3 x nv, world axes; equals d(com_velocity)/dv
+  std::vector<S> com_dq;           ///< 3 x nv, in world axes; equal to d(com_velocity)/dv
   std::vector<S> com_velocity_dq;  ///< 3 x nv
-  std::vector<S> total_dq;         ///< 6 x nv, linear rows first, about the world's origin
+  std::vector<S> total_dq;         ///< Momentum about the world's origin, 6 x nv, linear rows first
   std::vector<S> total_dv;         ///< 6 x nv
-  std::vector<S> centroidal_dq;    ///< 6 x nv, about the centre of mass
+  std::vector<S> centroidal_dq;    ///< Momentum about the centre of mass, 6 x nv
   std::vector<S> centroidal_dv;    ///< Centroidal momentum matrix, 6 x nv
   std::vector<S> kinetic_dq;       ///< nv entries [J/rad, J/m]
   std::vector<S> kinetic_dv;       ///< M v, nv entries
@@ -35,7 +35,7 @@ template <class S>
 void momentum_derivatives(const Tree& tree, const Kinematics<S>& kinematics,
                           const Momentum<S>& momentum, const S* v, MomentumDerivatives<S>& d);
 
-/// Computes only potential_dq, in `out` (nv).
+/// Computes only the derivative of the potential energy (potential_dq), in `out` (nv).
 template <class S>
 void gravity_torque(const Tree& tree, const Kinematics<S>& kinematics, const Momentum<S>& momentum,
                     S* out);

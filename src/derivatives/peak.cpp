@@ -14,7 +14,7 @@ void hide(T& value) {
   asm volatile("" : "+m"(value));
 }
 
-// Number of independent sums: hides the latency of multiply-adds and fits into registers.
+// Number of independent sums: enough to hide the latency of multiply-adds, but all in registers.
 constexpr int sums = 12;
 
 void multiply_add(int repeats, NativePack& factor, NativePack& term, NativePack& result) {

@@ -23,7 +23,7 @@ void wrench_entries(const Tree& tree, const CompiledContact& contact,
                     const CompiledReference& requested, std::vector<WrenchEntry>& out);
 
 /// Returns the derivative of state.force_world by an entry of q, in the requested reference at
-/// `pose`. `dlambda` is the world wrench of the derivative of lambda.
+/// `pose`. `dlambda` is the derivative of lambda, as a wrench in world axes.
 ///
 /// The wrench W of lambda moves with the contact's reference. If V_k is the twist of that reference
 /// per unit rate of the entry, the derivative of W is V_k x* W. The derivative of friction is

@@ -61,7 +61,7 @@ class Builder {
   std::string bad_key_;  ///< Message about the first invalid key, or empty
 };
 
-/// Returns "line 3: a.b[2]: ", without the line or the path if it is not available.
+/// Returns a text such as "line 3: a.b[2]: ". Omits an unknown line (0) and an empty path.
 std::string place_text(Place place, const std::string& path);
 /// Returns the path of the value holder.values[index], where `path` is the path of `holder`.
 std::string path_into(const std::string& path, const Node& holder, std::size_t index);

@@ -21,7 +21,7 @@ void check(double value, const Range& range, const Reader& reader) {
     reader.refuse("it is " + burnish::number(value) + "; wanted " + range.text());
 }
 
-/// Returns the words that files use for the values 0, 1, ... of a count.
+/// Returns the words that files use in place of the numbers 0, 1, ... of a count.
 std::vector<std::string> words_of(const Field& field) {
   std::istringstream text(field.words);
   return {std::istream_iterator<std::string>(text), {}};
@@ -29,7 +29,7 @@ std::vector<std::string> words_of(const Field& field) {
 
 constexpr double infinity = std::numeric_limits<double>::infinity();
 
-/// Reads an infinity as YAML or C++ writes it. Returns nothing for any other value.
+/// Reads an infinity as YAML (.inf) or C++ (inf) writes it. Returns nothing for any other value.
 std::optional<double> infinite(const Reader& reader) {
   for (const char* word : {".inf", "+.inf", "inf", "+inf"})
     if (reader.is(word)) return infinity;
@@ -150,7 +150,7 @@ struct DescribedReader {
         return;
       case Type::List:
         if (!is_word) return list(field, type, at, reader);
-        type.resize(at, 1);  // list of texts: the word is the only entry
+        type.resize(at, 1);  // stores the word as the only entry of a list of texts
         *static_cast<std::string*>(type.entry(at, 0)) = field.word;
         return;
       case Type::Map:

@@ -21,8 +21,8 @@ Node parse_json(const std::string& text, const std::string& name);
 /// Writes a tree as JSON on one line. Bytes that are not UTF-8 are kept; the result is then not
 /// valid JSON.
 std::string json_text(const Node& node);
-/// Writes a tree as YAML on one line, with quotes only for texts that YAML could read as another
-/// kind.
+/// Writes a tree as YAML on one line. Quotes only texts that YAML could read as another kind of
+/// value.
 std::string yaml_text(const Node& node);
 /// Writes the shortest text that reads back as the same value. Magnitudes from 1e-4 to 1e9 have no
 /// exponent.

@@ -8,9 +8,9 @@ namespace burnish {
 /// Constants of a reference. Bodies are joint indices, -1 for the world.
 struct CompiledReference {
   int origin_body = -1, axes_body = -1;
-  Vec3<double> origin;      ///< Origin, in body `origin_body` [m]
-  Mat3<double> axes;        ///< Axes of the reference, in body `axes_body`
-  Mat3<double> fixed_in;    ///< Initial axes, before their rotation, in body `axes_body`
+  Vec3<double> origin;      ///< Origin, in axes of the body `origin_body` [m]
+  Mat3<double> axes;        ///< Rotation from the reference to the body `axes_body`
+  Mat3<double> fixed_in;    ///< `axes` without Reference::rotation
   bool at_tool = false;     ///< True if the origin is the origin of the tool
   bool at_world = false;    ///< True if the origin is the world's origin
   bool is_aligned = false;  ///< True if the axes are world axes
@@ -18,7 +18,7 @@ struct CompiledReference {
   /// surface, in the frame with axes `fixed_in` and origin `place`.
   bool is_curved = false;
   int tool_body = -1;
-  Vec3<double> place;  ///< Origin of the surface frame, in body `axes_body` [m]
+  Vec3<double> place;  ///< Origin of the surface frame, in axes of the body `axes_body` [m]
   Vec3<double> tool;   ///< Point whose surface normal the axes follow, in body `tool_body` [m]
   Mat3<double> Q;
   Vec3<double> b;

@@ -29,7 +29,7 @@ struct CurvedAxes {
   S inverse_sum;       ///< 1 / (1 + n0 . n)
   Vec3<S> Hv, n_rate;  ///< H v and n'
   Vec3<S> swing;       ///< n x n'
-  S spin;              ///< (n0 . swing) inverse_sum
+  S spin;              ///< (n0 . swing) * inverse_sum
   Vec3<S> w;           ///< Angular velocity of the axes [rad/s]
 
   /// Change dn of the normal for a displacement dx of the point. With dx = v, this is n'.
@@ -42,8 +42,8 @@ struct CurvedAxes {
     const Vec3<S> tilt = cross(n, dn);
     return tilt - n * (dot(n0, tilt) * inverse_sum);
   }
-  /// Change of w for a displacement dx of the point, the change dn of the normal that it causes,
-  /// and a change dv of the point's velocity.
+  /// Change of w for a displacement dx of the point, the resulting change dn of the normal, and a
+  /// change dv of the point's velocity.
   BURNISH_INLINE Vec3<S> turn_rate_change(const Vec3<S>& dx, const Vec3<S>& dn,
                                           const Vec3<S>& dv) const {
     const Vec3<S> H_dv = H * dv;

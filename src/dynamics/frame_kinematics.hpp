@@ -60,7 +60,7 @@ struct FrameError {
   Vec3<S> position;          ///< p - p_target, in world axes [m]
   Vec3<S> rotation;          ///< log(R_target^T R) [rad]
   Motion<S> placement;       ///< SE(3) logarithm of the frame relative to the target [m, rad]
-  LogCoefficients<S> terms;  ///< Coefficients for the derivatives, at the angle of `rotation`
+  LogCoefficients<S> terms;  ///< Coefficients for derivatives of the logarithms, at |rotation|
 };
 
 template <class S>

@@ -46,8 +46,8 @@ CompiledReference compile_reference(const Model& model, const Reference& referen
                                     const CompiledFrame& tool, const CompiledFrame& base);
 
 /// Returns the reference frame for coordinates of the tool's position. If the axes follow a surface
-/// and the origin is at the tool, moves the origin to the surface frame. Otherwise returns the
-/// argument unchanged.
+/// and the origin is at the tool, the result has its origin at the origin of the surface frame.
+/// Otherwise the result equals the argument.
 Reference asked_for_positions(Reference reference);
 
 /// Returns true if `matrix` is a rotation matrix, within 1e-6.
@@ -302,7 +302,7 @@ BURNISH_INLINE Motion<S> reference_twist_by_q(const CompiledReference& reference
   return fixed + Motion<S>{cross(origin_step, curved.w) + cross(at.p, dw), dw};
 }
 
-/// Entries of v that move the bodies of a reference's origin and axes.
+/// Entries of v that move the bodies to which a reference's origin and axes are fixed.
 struct ReferenceSupport {
   std::span<const MovingAxis> origin, axes;
 };

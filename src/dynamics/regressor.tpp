@@ -32,12 +32,13 @@ template <class S>
 void add_row(const Motion<S>& axis, const BodyMotion<S>& m, S* out) {
   const Vec3<S>&l = axis.linear, &r = axis.angular, &w = m.v, &t = m.turn;
   out[0] += dot(l, m.accel);
-  // l . (t x e + w x (w x e)) + r . (e x accel) = e . (l x t + (w . l) w - (w . w) l + accel x r)
+  // For a unit vector e: l . (t x e + w x (w x e)) + r . (e x accel)
+  //   = e . (l x t + (w . l) w - (w . w) l + accel x r).
   const Vec3<S> first = cross(l, t) + w * dot(w, l) - l * dot(w, w) + cross(m.accel, r);
   out[1] += first.x;
   out[2] += first.y;
   out[3] += first.z;
-  // r . (E t + w x (E w)) = r . E t + (r x w) . E w
+  // For a symmetric unit matrix E: r . (E t + w x (E w)) = r . E t + (r x w) . E w.
   const Vec3<S> s = cross(r, w);
   out[4] += r.x * t.x + s.x * w.x;
   out[5] += r.x * t.y + r.y * t.x + s.x * w.y + s.y * w.x;

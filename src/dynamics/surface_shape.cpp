@@ -21,7 +21,7 @@ using Kind = SurfaceShape::Kind;
 constexpr double tiny = 1e-12;
 
 /// Distance of a point from an axis, unit vector `out` away from the axis, and unit vector `along`
-/// around it. On the axis, `out` is arbitrary.
+/// around the axis. On the axis, `out` is arbitrary.
 struct Around {
   double distance;
   Eigen::Vector3d out, along;
@@ -41,13 +41,13 @@ SurfaceDistance of_sphere(double radius, const Eigen::Vector3d& y) {
   return {y.norm() - radius, n, (Eigen::Matrix3d::Identity() - n * n.transpose()) / length};
 }
 
-/// Cylinder about the z axis.
+/// Distance from a cylinder about the z axis.
 SurfaceDistance of_cylinder(double radius, const Eigen::Vector3d& y) {
   const Around at = around_z(y);
   return {at.distance - radius, at.out, at.along * at.along.transpose() / at.distance};
 }
 
-/// Double cone about the z axis, with its apex at the origin.
+/// Distance from a double cone about the z axis, with its apex at the origin.
 SurfaceDistance of_cone(double half_angle, const Eigen::Vector3d& y) {
   const Around at = around_z(y);
   const double c = std::cos(half_angle), s = std::sin(half_angle);
@@ -56,7 +56,7 @@ SurfaceDistance of_cone(double half_angle, const Eigen::Vector3d& y) {
           c / at.distance * at.along * at.along.transpose()};
 }
 
-/// Torus whose ring is a circle about the z axis.
+/// Distance from a torus whose ring is a circle about the z axis.
 SurfaceDistance of_torus(double ring, double radius, const Eigen::Vector3d& y) {
   const Around at = around_z(y);
   const double out = at.distance - ring;
@@ -129,7 +129,7 @@ std::string name_of(Kind kind) { return words_of(kind).words[to_size(kind)].word
 std::vector<std::string> surface_kinds() { return words_of(Kind{}).list(); }
 
 namespace {
-/// Returns pointers to the numbers that follow the name of the kind in a text, in the same order.
+/// Returns pointers to the numbers of a shape, in the order of its text (after the kind's name).
 std::vector<double*> stated_of(SurfaceShape& shape) {
   switch (shape.kind) {
     case Kind::Sphere:
@@ -268,7 +268,7 @@ Surface::Surface(const SurfaceShape& shape, const Eigen::Vector3d& point,
   shape.check("the surface");
   normal_ = axes_.col(2);
   const Eigen::Vector3d x = axes_.col(0), y = axes_.col(1), n = normal_;
-  const double into = shape.hollow ? -1.0 : 1.0;  // -1 if hollow: centre on the side of n
+  const double into = shape.hollow ? -1.0 : 1.0;  // -1 if hollow: the centre is on the side of n
   switch (shape.kind) {
     case Kind::Plane:
     case Kind::Saddle:

@@ -9,8 +9,8 @@ namespace burnish {
 namespace {
 
 // Smallest mean number of relatives of an entry of v at which the articulated-body solver is used.
-// Relatives are ancestors, descendants and the entry itself. Measured with packs of 8 states on
-// chains, whose length is this number.
+// Relatives are ancestors, descendants and the entry itself; in a chain, their number is the length
+// of the chain. The value was measured on chains, with packs of 8 states.
 constexpr double relatives_of_deep_trees = 22.0;
 
 double mean_relatives(const std::vector<int>& parent_of_v) {

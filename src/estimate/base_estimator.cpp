@@ -120,7 +120,7 @@ struct BaseEstimator::Impl {
   Eigen::VectorXd q, v;
   Eigen::MatrixXd covariance, start_covariance;
   Eigen::MatrixXd jacobian, noise;
-  Eigen::VectorXd gates;   ///< Outlier gates for the squared innovations of feet.
+  Eigen::VectorXd gates;   ///< Squared innovation above which a foot is an outlier, per foot.
   Eigen::VectorXd rested;  ///< Time for which each slipping foot has been at rest [s].
   FootSet slipping = 0;
   double lost = 0.0;  ///< Time for which all standing feet have been slipping [s].

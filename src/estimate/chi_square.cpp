@@ -4,9 +4,9 @@
 
 namespace burnish {
 
-/// Computes the regularized lower incomplete gamma function of a = freedom/2 at x/2. For small x,
-/// its series is used. For large x, it is one minus the continued fraction of its complement
-/// (Abramowitz and Stegun, 6.5.29 and 6.5.31).
+/// Computes the regularized lower incomplete gamma function P of a = freedom/2 at x/2. Uses the
+/// series of P for small x, and P = 1 - Q with a continued fraction for Q for large x (Abramowitz
+/// and Stegun, 6.5.29 and 6.5.31).
 double chi_square_share(int freedom, double x) {
   if (!(x > 0.0)) return 0.0;
   const double a = 0.5 * freedom, y = 0.5 * x;

@@ -60,7 +60,7 @@ class ContactDetector {
   void add_noise(double force) noexcept;
 
   double threshold_;
-  Eigen::VectorXd window_;  ///< Ring buffer of samples.
+  Eigen::VectorXd window_;  ///< Ring buffer of samples [N].
   long count_ = 0;
   double mean_ = 0.0, last_ = 0.0;  ///< Mean over the window and newest sample [N].
   // Statistics of the samples in the air. A block has as many samples as the window.

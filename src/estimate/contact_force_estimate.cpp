@@ -24,7 +24,7 @@ bool ContactForceEstimate::place(RobotState& state, double time) noexcept {
     if (contacts_.rotations[c].empty()) continue;
     try {
       contacts_.rotations[c].at(time, xyzw_);
-    } catch (...) {  // a function of the specification threw an exception
+    } catch (...) {  // a rotation given as a user's function can throw
       return false;
     }
     if (!is_unit_quaternion(xyzw_)) return false;

@@ -7,11 +7,11 @@
 
 namespace burnish {
 
-/// Contacts per stage of a task, in the order of the contacts of the RobotState.
+/// Contacts of a task, in the order and with the indices of the contacts of a RobotState.
 struct StageContacts {
   std::vector<RobotState::ActiveContacts> all;       ///< Active contacts of each stage.
   std::vector<RobotState::ActiveContacts> supports;  ///< Active supports and loops of each stage.
-  /// Rotation of each contact's reference over time; empty if the rotation is constant.
+  /// Rotation over time of each contact's reference frame; an empty Signal if it is constant.
   std::vector<Signal> rotations;
   std::vector<int> following;      ///< Contacts whose surface set_surface() replaces.
   std::vector<int> with_friction;  ///< Contacts whose friction set_friction() replaces.
@@ -26,12 +26,12 @@ class ContactForceEstimate {
   void set_friction(double coefficient) noexcept { friction_ = coefficient; }
   /// Returns true if the stage has a contact other than supports and loops.
   bool has_contact(int stage) const noexcept;
-  /// Returns the active contacts of a stage; without `with_all`, its supports and loops alone.
+  /// Returns the active contacts of a stage; if `with_all` is false, only supports and loops.
   const RobotState::ActiveContacts& active(int stage, bool with_all) const noexcept {
     return (with_all ? contacts_.all : contacts_.supports)[to_size(stage)];
   }
-  /// Sets references, surface and friction of the contacts in the dynamics of `state`. `time`: time
-  /// of the schedule [s]. Returns false if a rotation cannot be evaluated.
+  /// Sets reference rotations, surface and friction of the contacts in the dynamics of `state`.
+  /// `time`: time of the schedule [s]. Returns false if a rotation cannot be evaluated.
   bool place(RobotState& state, double time) noexcept;
   /// Sets `out` to the sum of the contact forces on the robot in a stage, in world axes [N]. Forces
   /// of supports and loops are not included. `tau`: torques (nv) [Nm or N]. `time`: time of the

@@ -8,8 +8,8 @@ namespace {
 
 // Tuning constants, chosen by hand.
 constexpr double touch_fade = 0.2;  // time from a touch until the full force gain is used [s]
-// While the schedule waits for contact: time after which the normal force begins to count as a
-// model error, and further time until the force counts in full [s].
+// While the schedule waits for contact, the normal force becomes a model error: delay of this
+// change, and its duration [s].
 constexpr double waiting = 0.1, waiting_fade = 0.1;
 
 ToolFrictionSpec tool_friction_spec(const ErrorEstimateSpec& spec, double lead) {
@@ -85,8 +85,8 @@ void ErrorEstimate::update(RobotState& state, const ErrorInput& input) noexcept 
     update_force_feedback(state, input);
     follow_lasting(input.dt);
     contact_force_.set_friction(friction());
-    // force_at() uses the measured torques (section IV-C of Kleff et al.). The torque error already
-    // contains torque_offset_, the slow difference of these torques from acted_.
+    // force_at() receives measured torques plus the model error (section IV-C of Kleff et al.,
+    // docs/frames.md). Without `torque_offset_`, the error would be relative to `acted_`.
     total_ += model_error() - torque_offset_;
     total_.noalias() += state.tool().jacobian().transpose() * tool_friction_.unmodelled_world();
   }
@@ -94,10 +94,10 @@ void ErrorEstimate::update(RobotState& state, const ErrorInput& input) noexcept 
   (void)contact_force_.force_at(state, input.stage, input.schedule_time, total_, force_world_);
 }
 
-/// Returns the force for the observer. A light arm that touches the surface slowly may rest on it
-/// with a force below the contact threshold. In this case, plans do not yet contain the surface and
-/// push no harder. While contact is due, the observer therefore does not receive the normal force
-/// and treats it as a model error. Plans push against this error until the contact is detected.
+/// Returns the force for the observer. A light arm may rest on the surface with a force below the
+/// contact threshold. Plans then assume free air and push no harder. While the schedule waits for
+/// contact, the normal force is therefore withheld from the observer, which treats it as a model
+/// error. Plans push against this error until the contact is detected.
 Eigen::Vector3d ErrorEstimate::observed_force(const ErrorInput& input) noexcept {
   waits_for_ = input.waits ? waits_for_ + input.dt : 0.0;
   const double hidden = std::clamp((waits_for_ - waiting) / waiting_fade, 0.0, 1.0);
@@ -140,8 +140,8 @@ void ErrorEstimate::update_force_feedback(RobotState& state, const ErrorInput& i
       faded_gain * bounded * (state.tool().jacobian().transpose() * normal_world_);
 }
 
-/// Updates the average of the torque error: at first over the whole time, later over the last
-/// seconds.
+/// Updates the mean of the torque error over the last seconds. At first, the mean covers the whole
+/// time so far.
 void ErrorEstimate::follow_lasting(double dt) noexcept {
   constexpr double memory = 2.0, first = 0.1;  // longest and shortest averaging time [s]
   lasting_time_ += dt;

@@ -13,19 +13,19 @@ namespace burnish {
 struct ErrorEstimateSpec {
   Model model;
   ModelErrorOptions options;
-  /// Cutoff of the torque model's filter; none: no filter [rad/s].
+  /// Cutoff frequency of the torque model's low-pass filter; not set: no filter [rad/s].
   std::optional<double> torque_cutoff;
-  /// Initial unit normal of the surface in world axes, until set_surface() or set_normal().
+  /// Unit normal of the surface in world axes, before set_surface() or set_normal() is called.
   Eigen::Vector3d normal_world;
   double contact_threshold;           ///< Normal force above which the tool is in contact [N].
   bool force_sensor;                  ///< Whether the force at the tool is measured.
-  std::vector<ContactSpec> supports;  ///< Contacts of supports that hold in every stage.
+  std::vector<ContactSpec> supports;  ///< Supports, which are active in every stage.
   std::vector<ContactSpec> held;      ///< `supports`, followed by the loops of the robot.
-  std::vector<std::string> measured;  ///< Frames of the columns of ErrorInput::wrenches.
+  std::vector<std::string> measured;  ///< Frame of each column of ErrorInput::wrenches.
   StageContacts contacts;
-  /// Settings of the friction estimate; none: the tool's contacts have no friction.
+  /// Settings of the friction estimate; not set: the tool's contacts have no friction.
   std::optional<FrictionEstimateOptions> friction;
-  /// Planned sliding speed, as SlidingFriction::speed; unused without `friction` [m/s].
+  /// Speed below which friction fades out in plans; unused without `friction` [m/s].
   double planned_speed = 0.0;
   LoopTimes times;
 };
@@ -33,8 +33,8 @@ struct ErrorEstimateSpec {
 /// Inputs of an ErrorEstimate at a valid measurement.
 struct ErrorInput {
   const Measurement& measurement;
-  /// Force of the surface on the tool, in world axes [N]. Without a force sensor, the force that
-  /// feel() returned.
+  /// Force of the surface on the tool, in world axes [N]. Without a force sensor, this is the
+  /// result of feel().
   const Eigen::Vector3d& tool_force_world;
   /// Measured wrenches at the frames ErrorEstimateSpec::measured, as in Measurement::wrenches.
   const Wrenches& wrenches;
@@ -64,8 +64,8 @@ class ErrorEstimate {
   const Eigen::Vector3d& feel(RobotState& state, const ErrorInput& input) noexcept;
   /// Returns the estimate of contact forces, with the current surface and friction.
   ContactForceEstimate& contacts() { return contact_force_; }
-  /// Sets the surface under the tool, for the contacts that follow it, and the unit normal of the
-  /// surface.
+  /// Sets the surface under the tool and its unit normal. The contacts StageContacts::following use
+  /// this surface.
   void set_surface(const Quadric& surface, const Eigen::Vector3d& normal_world) noexcept {
     normal_world_ = normal_world;
     contact_force_.set_surface(surface);
@@ -76,8 +76,8 @@ class ErrorEstimate {
   /// Returns the coefficient of friction of the tool's contacts; 0 without a friction model.
   double friction() const { return tool_friction_.coefficient(); }
 
-  /// Sets the planned velocity v (nv) [rad/s or m/s], from which the friction estimates take the
-  /// direction of motion: velocity of a new plan, joint_friction().lead() after its first knot.
+  /// Sets the planned velocity v (nv) [rad/s or m/s], whose direction the friction estimates use. v
+  /// is the velocity of a new plan at joint_friction().lead() after the plan's first knot.
   void foresee(const Eigen::VectorXd& v) noexcept {
     joint_friction_.foresee(v.data());
     tool_friction_.foresee(v);
@@ -96,8 +96,8 @@ class ErrorEstimate {
   bool models_friction() const { return tool_friction_.is_modelled(); }
   /// Returns the mean of torque_error() over the last seconds; nv [Nm or N].
   const Eigen::VectorXd& lasting_error() const { return lasting_error_; }
-  double force_error() const { return force_error_; }  ///< Estimated force error [N].
-  /// Returns the low-pass filtered difference, measured minus acting torque; nv [Nm or N].
+  double force_error() const { return force_error_; }  ///< Normal force, measured - model [N].
+  /// Returns the measured minus the acting torque, low-pass filtered; nv [Nm or N].
   const Eigen::VectorXd& torque_offset() const { return torque_offset_; }
   /// Returns the estimated sum of the contact forces on the tool, in world axes [N].
   const Eigen::Vector3d& force_world() const { return force_world_; }
@@ -136,7 +136,7 @@ class ErrorEstimate {
   /// Torque in the joints: the command, low-pass filtered with torque_cutoff_; nv [Nm or N].
   Eigen::VectorXd acted_;
   Eigen::VectorXd force_feedback_;
-  double pressed_for_ = 0.0;  ///< Time in contact while a force is commanded [s].
+  double pressed_for_ = 0.0;  ///< Time for which the tool has pressed as commanded [s].
   Eigen::VectorXd torque_offset_, torque_error_, lasting_error_, total_;
   double lasting_time_ = 0.0;  ///< Averaging time of lasting_error_ so far [s].
   double waits_for_ = 0.0;     ///< Time for which the schedule has waited for contact [s].

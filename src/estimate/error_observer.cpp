@@ -68,17 +68,17 @@ void ChangeDetector::detect_jumps(const Eigen::VectorXd& change, double rate, do
   constexpr double smoothing = 4e-3, first = 0.1, decay_time = 0.15;
   // Thresholds for the squared rate relative to its usual mean, averaged over the joints. Below
   // `noise` the rate is noise, above `certain` it is a jump; chosen by hand. The thresholds are
-  // high for two reasons. Averaging does not reduce the noise of a force along a fixed direction,
-  // because this noise changes all joints by the same ratio. With hundreds of samples per second,
-  // false alarms must be rare.
+  // high for two reasons. Averaging over the joints does not reduce the noise of a force sensor,
+  // which disturbs all joints at once. At hundreds of samples per second, false alarms must be
+  // rare.
   constexpr double noise = 8.0, certain = 14.0;
   rate_ += std::min(1.0, dt / smoothing) * (change * rate - rate_);
   double ratio = 0.0;
   for (Eigen::Index k = 0; k < rate_.size(); ++k) {
     const double square = rate_[k] * rate_[k];
     ratio += square / std::max(usual_[k], floor_[k]);
-    // The usual rate grows slowly, because the square of an outlier counts as at most 9 times the
-    // usual square.
+    // Limits the squared rate of an outlier to 9 times the usual squared rate, so that `usual_`
+    // grows slowly.
     const double max_square = 9.0 * std::max(usual_[k], floor_[k]);
     usual_[k] += weight * (std::min(square, max_square) - usual_[k]);
   }
@@ -93,7 +93,7 @@ void ChangeDetector::detect_jumps(const Eigen::VectorXd& change, double rate, do
 /// steps, whose signs alternate, to about the fraction dt / T.
 void ChangeDetector::detect_drift(const Eigen::VectorXd& change, double rate, double dt,
                                   double weight) noexcept {
-  // Smoothing time, and time until detection starts [s].
+  // Smoothing time of rates, and time until detection starts [s].
   constexpr double smoothing = 0.02, first = 0.5;
   // Thresholds for the ratio of filtered to unfiltered rate (root mean squares). Below `noise`
   // the rate is noise, above `certain` it is a drift; chosen by hand.
@@ -137,8 +137,8 @@ ErrorObserver::ErrorObserver(const Model& model, const ModelErrorOptions& option
   for (const std::string& at : measured) sensors_.push_back(state.body().frame(at));
   if (!sensors_.empty())  // allocates memory here, because ticks must not allocate
     state.body().frame_jacobian(sensors_.front(), local_, jacobian_);
-  // Smallest limit of the force and moment errors at the base, as a fraction of the robot's
-  // weight, which the base carries; chosen by hand.
+  // Lower bound of the error limits of a floating base [N, Nm], as a fraction of the robot's weight
+  // [N]; chosen by hand.
   constexpr double weight_fraction = 0.06;
   const Joint& first = model.joints.front();
   if (first.kind == JointKind::FreeFlyer)

@@ -57,16 +57,16 @@ class ErrorObserver {
   void delay(const RigidBody& body, const ConstVectorRef& tau, double dt) noexcept;
 
   ModelErrorOptions options_;
-  RobotState::ActiveContacts closed_;  ///< Supports and loops; used without measured wrenches.
-  /// Supports without a sensor, and loops; used with measured wrenches.
+  RobotState::ActiveContacts closed_;  ///< Supports and loops, if no wrenches are measured.
+  /// Closed loops of the robot and supports without a sensor; used if other supports have sensors.
   RobotState::ActiveContacts unmeasured_;
   std::vector<int> sensors_;  ///< Frames at which wrenches are measured.
   Reference local_ = Reference::local();
   RowMatrix jacobian_;
   bool started_ = false;
   Eigen::VectorXd velocity_, error_, total_, innovation_, change_;
-  Eigen::VectorXd late_;   ///< Torque without gravity, delayed by the lag, nv [Nm or N].
-  Eigen::VectorXd limit_;  ///< Largest magnitude of the error, nv [Nm or N].
+  Eigen::VectorXd late_;   ///< Torque minus gravity torque, delayed; nv [Nm or N].
+  Eigen::VectorXd limit_;  ///< Largest magnitude of `error_`, nv [Nm or N].
   ChangeDetector change_detector_;
   double bandwidth_;  ///< Bandwidth that the last update used [rad/s].
 };

@@ -38,7 +38,7 @@ struct EstimatedBase::Impl {
     result.wrenches.setZero(6, touches);
   }
 
-  /// Returns whether a measurement has the force on each foot.
+  /// Returns whether a measurement contains a finite force on each foot.
   bool has_foot_forces(const Measurement& measured) const noexcept {
     return measured.wrenches.cols() == touches &&
            std::all_of(columns.begin(), columns.end(), [&](Eigen::Index column) {
@@ -52,7 +52,7 @@ struct EstimatedBase::Impl {
   GuardedBase base;
   int feet_count;
   Eigen::Index touches = 0;           ///< Number of columns of Measurement::wrenches.
-  std::vector<Eigen::Index> columns;  ///< Columns of the feet; `touches` for feet without a column.
+  std::vector<Eigen::Index> columns;  ///< Wrench column of each foot; `touches`: no column.
   FootContacts contacts;
   FootForces forces;
   Payloads payloads;
@@ -129,7 +129,7 @@ Status EstimatedBase::Impl::follow(const Measurement& measured) noexcept {
   const bool first = !started;
   started = true;
   if (first) return Status::Ok;
-  // Time since the last usable measurement, because the readings cover all of this time.
+  // The IMU reading covers all of the time since the last usable measurement.
   const double dt = measured.time - last;
   if (!(dt > 0.0)) return Status::NotFinite;
   const BaseSource before = base.source();
@@ -142,7 +142,7 @@ Status EstimatedBase::Impl::follow(const Measurement& measured) noexcept {
   const Status status_of_base =
       base.update(imu, measured.q, measured.v, contacts.standing(), contacts.forces(), dt);
   if (status_of_base == Status::Ok) last = measured.time;
-  // The velocity now comes from another source. Its jump must not be taken for an acceleration.
+  // A new source of the base velocity causes a jump, which must not count as an acceleration.
   if (base.source() != before) forces.reset();
   return status_of_base;
 }

@@ -79,14 +79,14 @@ bool FeetFit::fit(FootSet feet, const std::vector<SeenFoot>& seen, UnitPose& uni
   }
   const Vector3d p = d_middle - R * h_middle;
   if (!R.allFinite() || !p.allFinite()) return false;
-  // Removes the rounding error of the rotation matrix, to second order.
+  // Makes the rotation matrix orthonormal again, because rounding errors accumulate.
   unit.R = 0.5 * R * (3.0 * Matrix3d::Identity() - R.transpose() * R);
   unit.p = p;
   return true;
 }
 
-/// Solves 0 = v + w x h_k + dh_k/dt for feet at rest, whose positions seen from the IMU are h_k.
-/// For each sole, -w also equals its angular velocity relative to the IMU.
+/// Solves 0 = v + w x h_k + dh_k/dt for the velocities v and w of the IMU. h_k: position of a foot
+/// at rest, seen from the IMU. The angular velocity of a sole at rest relative to the IMU is -w.
 bool FeetFit::fit_velocity(FootSet feet, const FootKinematics& kinematics, Vector3d& v,
                            Vector3d& w) const noexcept {
   Vector3d h_middle = Vector3d::Zero(), rate_middle = Vector3d::Zero();

@@ -14,8 +14,8 @@ namespace {
 constexpr double first_look = 0.1;
 constexpr double memory = 0.2;  // averaging time in free air [s]
 
-/// Returns the options with a constant bandwidth. A variable bandwidth would change with every gain
-/// and loss of contact.
+/// Returns the options with a constant observer bandwidth. A variable bandwidth would change when
+/// the tool gains or loses contact.
 ModelErrorOptions steady(ModelErrorOptions options) {
   options.transient_scale = options.quiescent_scale = 1.0;
   return options;
@@ -47,7 +47,7 @@ void FeltForce::update(RobotState& state, const Eigen::VectorXd& acted, double d
   }
   rest_ = sum - air_;
   const auto J = state.tool().jacobian();
-  // Regularization, so that the force is zero in directions in which no joint moves the tool.
+  // With regularization, the force is zero in directions in which no joint moves the tool.
   Eigen::Matrix3d normal = J * J.transpose();
   normal.diagonal().array() += 1e-6;  // regularization [m^2]
   force_ = learned_for_ < first_look ? Eigen::Vector3d::Zero()

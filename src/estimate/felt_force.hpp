@@ -10,8 +10,8 @@ namespace burnish {
 /// stored. During contact, f minimizes |J^T f - (s - mean)|. model_error() is s - J^T f.
 class FeltForce {
  public:
-  /// `supports`: contacts of `state` that always hold the robot. `touch`: force above which
-  /// d is not updated, although the stage is in free air [N].
+  /// `supports`: contacts of `state` that always hold the robot. `touch`: force above which the
+  /// mean of s is not updated, although the stage has no contact [N].
   FeltForce(const Model& model, const ModelErrorOptions& options, const RobotState& state,
             const std::vector<ContactSpec>& supports, double touch);
 
@@ -28,10 +28,10 @@ class FeltForce {
 
  private:
   ErrorObserver observer_;
-  double touch_;  ///< See the constructor [N].
+  double touch_;  ///< Force above which the mean of s is not updated [N].
   Eigen::VectorXd air_, rest_, model_error_;
   Eigen::Vector3d force_ = Eigen::Vector3d::Zero();
-  double learned_for_ = 0.0;  ///< Averaging time of d so far [s].
+  double learned_for_ = 0.0;  ///< Averaging time of the mean of s so far [s].
 };
 
 }  // namespace burnish

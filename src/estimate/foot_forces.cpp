@@ -122,7 +122,7 @@ Status FootForces::update(const ConstVectorRef& q, const ConstVectorRef& v,
   update_kinematics(d.tree, q.data(), v.data(), d.kinematics);
   d.fill_jacobian();
   const double weight = d.started ? -std::expm1(-d.bandwidth * dt) : 1.0;
-  d.a = d.rest;  // saved, so that it can be restored
+  d.a = d.rest;  // saves `rest`, which is restored if fit() fails
   d.rest += weight * (d.dynamics.tau() - tau - d.rest);
   if (!d.fit()) {
     d.rest = d.a;

@@ -97,8 +97,8 @@ Status FootKinematics::update(const ConstVectorRef& q, const ConstVectorRef& v) 
     const FramePose<double> in_unit = seen_from(unit_pose_, pose);
     seen_[i] = {in_unit.p, in_unit.R};
     const BodyState<double>& body = kinematics_.bodies[to_size(feet_[i].body)];
-    // d(R^T (p_f - p))/dt = R^T (dp_f/dt - dp/dt - w x (p_f - p)). The last two terms are the
-    // velocity of the IMU's body at the foot.
+    // With the foot at p_f, and the IMU at (R, p): d(R^T (p_f - p))/dt = R^T (dp_f/dt - dp/dt -
+    // w x (p_f - p)). dp/dt + w x (p_f - p) is the velocity of the IMU's body at the foot.
     velocities_[i] = transpose_times(
         unit_pose_.R, at_point(body.v, pose.p).linear - at_point(carrier.v, pose.p).linear);
     turnings_[i] = transpose_times(unit_pose_.R, body.v.angular - carrier.v.angular);

@@ -34,9 +34,9 @@ struct Moment {
   Moment(const std::vector<char>& soles, double length) : feet(soles, length) {}
   FeetFit feet;
   Vector3d b_gyro = Vector3d::Zero(), b_accelerometer = Vector3d::Zero();
-  /// Thresholds for rotation [rad] and displacement [m].
+  /// Thresholds for the difference of IMU and feet in rotation [rad] and displacement [m].
   double turn_gate = 0.0, place_gate = 0.0;
-  double speed_gate = 0.0;  ///< Three standard deviations of the speed difference [m/s].
+  double speed_gate = 0.0;  ///< Three standard deviations of the velocity difference [m/s].
 };
 
 // Time constants, chosen by hand.
@@ -86,7 +86,7 @@ struct GuardedBase::Impl {
 
   BaseEstimator filter;
   UnitWatchOptions watch_options;
-  FootKinematics& kinematics;  ///< Kinematics of the filter, which are computed once per reading.
+  FootKinematics& kinematics;  ///< Kinematics that the filter uses too, computed once per reading.
   UnitWatch watch;
   /// Snapshots. `newer` is the latest. `older` has an age of `moment_period` or more, except after
   /// a start.
@@ -242,8 +242,8 @@ void GuardedBase::Impl::begin_again(FootSet standing) noexcept {
   newer = older;
   since_newer = 0.0;
   Vector3d v_unit, w_unit;
-  // Uses the last estimated velocity. The velocity computed from the feet could be wrong, because
-  // one of them may slip.
+  // Starts with the last estimated velocity. The velocity computed from the feet could be wrong,
+  // because a foot may slip.
   if (older.feet.are_redundant(followed) &&
       older.feet.fit_velocity(followed, kinematics, v_unit, w_unit))
     watch.begin(by_feet, last_velocity());
@@ -293,12 +293,12 @@ double GuardedBase::Impl::gate_ratio() const noexcept {
   return std::isfinite(ratio) ? ratio : std::numeric_limits<double>::infinity();
 }
 
-/// Returns true if the feet are at rest. Feet that tip, pivot or slip do not move all in the same
-/// way. Their motion relative to each other is then a large fraction of the difference between IMU
-/// and feet. A fault of the IMU, in contrast, does not move the feet relative to each other.
+/// Returns true if the feet are at rest. Feet that tip, pivot or slip move relative to each other,
+/// by a large fraction of the difference between IMU and feet. A fault of the IMU, in contrast,
+/// causes no relative motion of the feet.
 bool GuardedBase::Impl::feet_rest() const noexcept {
-  // Largest motion of feet at rest, as a fraction of the difference between IMU and feet; chosen by
-  // hand.
+  // Largest relative motion of feet at rest, as a fraction of the difference between IMU and feet;
+  // chosen by hand.
   constexpr double moving_fraction = 0.25;
   const double max_ratio = moving_fraction * std::max(gate_ratio(), 0.7);
   for (int k = 0; k < kinematics.feet(); ++k) {
@@ -475,7 +475,7 @@ void GuardedBase::Impl::follow_feet(const ImuReading* imu, FootSet standing,
     lost += dt;
     v.head<6>() *= std::exp(-dt / watch_options.decay_time);
     watch.stop();
-    // Without feet, an IMU whose readings were missing before is better than nothing.
+    // If the feet give no pose, accepts an IMU that was rejected only for missing readings.
     if (imu != nullptr && was_silent) take_unit_back(older.b_gyro);
     return;
   }

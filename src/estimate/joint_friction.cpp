@@ -9,7 +9,7 @@ namespace burnish {
 namespace {
 
 // Tuning constants, chosen by hand unless the comment states an origin.
-constexpr double look_ahead = 0.05;       // time after the first knot at which plans are read [s]
+constexpr double look_ahead = 0.05;       // time after a plan's first knot at which it is read [s]
 constexpr double constant_memory = 0.3;   // correlation time of the offset c [s]
 constexpr double friction_memory = 10.0;  // correlation time of friction F and B [s]
 constexpr double noise_memory = 0.5;      // averaging time of noise variances [s]
@@ -34,7 +34,7 @@ std::vector<char> in_closed_chains(const Model& model, const std::vector<Contact
   std::vector<char> closed(model.joints.size(), 0);
   for (const ContactSpec& contact : held)
     for (const std::string& frame : {contact.tool, contact.base}) {
-      if (!model.has_frame(frame)) continue;  // a contact with the world
+      if (!model.has_frame(frame)) continue;  // the world, which no joint moves
       int j = model.frames[to_size(model.frame_index(frame))].body;
       for (; j >= 0; j = model.joints[to_size(j)].parent) closed[to_size(j)] = 1;
     }
@@ -58,8 +58,7 @@ JointFriction::JointFriction(const Model& model, const ModelErrorOptions& option
       speeds_(torques_),
       speed_(torque_) {
   const std::vector<char> closed = in_closed_chains(model, held);
-  // Lever arm with which an effort limit would lift the weight of the robot [m]. A limit with a
-  // larger arm, such as 1e9 Nm, counts as unlimited.
+  // Effort limits above the robot's weight times this lever arm [m] count as unlimited.
   constexpr double max_arm = 100.0;
   const double unlimited = max_arm * model.total_mass() * model.gravity.norm();
   for (std::size_t j = 0; j < closed.size(); ++j) {

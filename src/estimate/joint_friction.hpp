@@ -25,9 +25,9 @@ namespace burnish {
 /// compensation would accelerate a light joint whose measured velocity is only noise.
 class JointFriction {
  public:
-  /// `held`: contacts that always hold the robot, such as feet and loops. Joints between them are
-  /// left out, because in a closed chain the friction of one joint appears in the torque errors of
-  /// all joints.
+  /// `held`: contacts that always hold the robot, such as feet and loops. The friction of joints in
+  /// their closed chains is not estimated, because the friction of one joint appears in the torque
+  /// errors of all joints of a closed chain.
   JointFriction(const Model& model, const ModelErrorOptions& options, const LoopTimes& times,
                 const std::vector<ContactSpec>& held);
 
@@ -55,7 +55,7 @@ class JointFriction {
   double deviation(int k) const { return std::sqrt(joints_[to_size(k)].P(1, 1)); }
 
  private:
-  struct Late {  ///< Second-order low-pass with the delay of the observer.
+  struct Late {  ///< Second-order low-pass filter.
     double first = 0.0, second = 0.0;
     double follow(double value, double weight) {
       first += weight * (value - first);
@@ -79,11 +79,11 @@ class JointFriction {
 
   bool enabled_;
   ModelErrorOptions options_;
-  double lead_;       ///< Result of lead() [s].
+  double lead_;       ///< Time from a plan's first knot to foresee() [s].
   double smoothing_;  ///< Time constant of the filter of planned velocities [s].
   std::vector<Joint> joints_;
   Eigen::VectorXd torque_;
-  int late_;                      ///< Age of the observed error, from the stated delays [ticks].
+  int late_;                      ///< Age of the observed error, LoopTimes::delay_ticks() [ticks].
   SentTorques torques_, speeds_;  ///< Compensation and planned velocity of the last late_ ticks.
   Eigen::VectorXd speed_;         ///< Planned velocity at this tick, nv [rad/s].
 };

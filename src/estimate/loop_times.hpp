@@ -1,4 +1,4 @@
-// Times of the control loop in which estimators run.
+// Periods and delays of the control loop in which estimators run.
 #pragma once
 
 #include <cmath>

@@ -19,7 +19,7 @@ std::vector<ContactSpec> without_gains(std::vector<ContactSpec> contacts) {
 RobotState::RobotState(const Model& model, std::vector<ContactSpec> contacts,
                        const std::string& tool, const std::string& surface_frame)
     : body_(model),
-      // A small regularization allows singular postures.
+      // The regularization `mu` allows postures in which the contact equations are singular.
       dynamics_(model, without_gains(std::move(contacts)), {.mu = 1e-9}),
       tool_(body_, tool, surface_frame),
       q_(model.q_neutral),
@@ -59,7 +59,7 @@ void RobotState::activate(const ActiveContacts& active) noexcept {
 
 Status RobotState::forward(const ActiveContacts& active, const ConstVectorRef& tau) noexcept {
   activate(active);
-  if (!has_dynamics_) (void)dynamics_.update(body_);  // forward() returns its status
+  if (!has_dynamics_) (void)dynamics_.update(body_);  // dynamics_.forward() reports errors
   has_dynamics_ = true;
   return dynamics_.forward(tau);
 }

@@ -8,7 +8,7 @@ namespace burnish {
 /// Ring buffer of vectors. It keeps one vector per tick, up to a given age.
 class SentTorques {
  public:
-  /// `ticks`: largest age of a vector, at least 0.
+  /// `ticks`: largest age of a kept vector [ticks], at least 0.
   SentTorques(Eigen::Index nv, int ticks) : sent_(Eigen::MatrixXd::Zero(nv, ticks + 1)) {}
   void fill(const ConstVectorRef& tau) noexcept { sent_.colwise() = tau; }
   void add(const ConstVectorRef& tau) noexcept {

@@ -9,8 +9,8 @@ namespace {
 
 constexpr double infinite = std::numeric_limits<double>::infinity();
 
-/// Returns the response of a first-order low-pass filter to a unit step after `dt` [s]. It is 1 for
-/// a time constant of 0 (no filter).
+/// Returns the response of a first-order low-pass filter to a unit step after `dt` [s]. `over`:
+/// time constant [s]; 0: no filter, response 1.
 double low_pass_weight(double dt, double over) {
   return over > 0.0 ? -std::expm1(-dt / over) : 1.0;
 }
@@ -63,7 +63,7 @@ double SupportGrip::required_friction(const Support& support,
                               side * (by_x * wrench[3] + by_y * wrench[4]);
         const double tangential = by_x * support.half_y * wrench[0] +
                                   by_y * support.half_x * wrench[1] - side * wrench[5];
-        // A corner with hardly any load is skipped, because its ratio is meaningless.
+        // Skips a corner with hardly any load, because its ratio of forces is meaningless.
         if (normal > 0.1 * support.half_y * load)
           required = std::max(required, tangential / normal);
       }

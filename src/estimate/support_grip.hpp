@@ -14,9 +14,9 @@ namespace burnish {
 struct GripSpec {
   std::string name;       ///< Name of the contact.
   std::string frame;      ///< Frame of the robot that the support holds.
-  int sensor;             ///< Column of the wrenches of update(); -1: no sensor.
+  int sensor;             ///< Column of `wrenches` in update(); -1: no sensor.
   double friction;        ///< Coefficient of the friction cone; infinite: no cone.
-  double half_x, half_y;  ///< Half sides of the sole [m]; 0: point foot.
+  double half_x, half_y;  ///< Half lengths of the sole's sides [m]; 0: point foot.
 };
 
 class SupportGrip {

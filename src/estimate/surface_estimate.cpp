@@ -85,7 +85,7 @@ void SurfaceEstimator::update(const Eigen::Vector3d& p, double force, bool touch
 /// and the normal at the same time, which would look like a slope. The state is therefore moved
 /// along the surface only if the displacement clearly exceeds the noise.
 void SurfaceEstimator::learn() noexcept {
-  // Displacement that exceeds the noise [standard deviations of a mean].
+  // Smallest displacement that is clearly not noise [standard deviations of a mean position].
   constexpr double clear = 6.0;
   const Eigen::Vector3d mean = sum_p_ / ticks_;
   const SurfaceDistance nominal = nominal_.at(mean);
@@ -183,8 +183,8 @@ void SurfaceEstimator::measure(double distance, double force, double travel) noe
   if (!(x_.segment<2>(s_).norm() <= max_tilts * trust_ * options_.tilt)) begin_anew();
 }
 
-/// Raises trust_ towards 1 while the tip travels, because the cause of an implausible slope may be
-/// temporary, such as a tip that sinks in at first.
+/// Raises `trust_`, a factor on the initial deviations, towards 1 while the tip travels. The cause
+/// of an implausible slope may be temporary, such as a tip that sinks in at first.
 void SurfaceEstimator::recover(double travel) noexcept {
   constexpr double length = 0.15;  // travel after which trust_ has recovered [m]
   const double before = trust_;

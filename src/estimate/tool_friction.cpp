@@ -48,7 +48,7 @@ void ToolFriction::update(RobotState& state, const ToolForce& tool, double targe
 Eigen::Vector3d ToolFriction::along_plan(const ToolMotion& motion, const Eigen::Vector3d& n,
                                          double dt) noexcept {
   if (coefficient_) return unmodelled_;  // plans already contain the change of direction
-  // Lower bound of |slid_|^2. A shorter slid_ belongs to a slow motion, in which the direction of
+  // Lower bound of |slid_|^2. A smaller |slid_| belongs to a slow motion, in which the direction of
   // friction is uncertain.
   constexpr double min_squared_slide = 0.25;
   const double weight = -std::expm1(-2.0 * dt / smoothing_);
@@ -59,7 +59,7 @@ Eigen::Vector3d ToolFriction::along_plan(const ToolMotion& motion, const Eigen::
   const double delay = until_torques + since_forces + nominal_delay + 1.0 / spec_.bandwidth;
   slid_ += -std::expm1(-dt / delay) * (will_slide - slid_);
   const double along = std::max(0.0, -unmodelled_.dot(slid_)) /
-                       std::max(slid_.squaredNorm(), min_squared_slide);  // force [N]
+                       std::max(slid_.squaredNorm(), min_squared_slide);  // friction [N]
   return unmodelled_ - along * (will_slide - slid_);
 }
 

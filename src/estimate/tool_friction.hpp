@@ -13,9 +13,9 @@ namespace burnish {
 struct ToolFrictionSpec {
   double bandwidth;          ///< Bandwidth of the estimate [rad/s].
   double contact_threshold;  ///< Normal force above which the tool is in contact [N].
-  /// Settings of the coefficient's estimate; none: the tool's contacts have no friction.
+  /// Settings of the coefficient's estimate; not set: the tool's contacts have no friction.
   std::optional<FrictionEstimateOptions> coefficient;
-  /// Planned sliding speed, as SlidingFriction::speed; unused without `coefficient` [m/s].
+  /// Speed below which friction fades out in plans; unused without `coefficient` [m/s].
   double planned_speed = 0.0;
   LoopTimes times;
   double plan_lead;  ///< Time from the first knot of a new plan to the velocity for foresee() [s].
@@ -28,13 +28,13 @@ struct ToolForce {
   double normal() const { return force_world.dot(normal_world); }  ///< Normal force [N].
 };
 
-/// Friction along the surface that the contacts of plans do not model, and the coefficient of
-/// friction that they do model.
+/// Estimate of the friction along the surface: the coefficient of friction for the contacts of
+/// plans, and the friction that these contacts do not model.
 ///
 /// Feedback of the measured friction would close a loop through normal force, friction, the inertia
 /// of the arm and the lag of the observer. This loop rings if pressing and sliding are coupled in
 /// the arm, as with a light wrist on a heavy arm. The estimate is therefore the ratio of friction
-/// to normal force. The feedback is this ratio times the target force.
+/// to normal force. The feedback is this ratio times the target of the normal force.
 class ToolFriction {
  public:
   ToolFriction(const ToolFrictionSpec& spec, int nv);

@@ -37,7 +37,8 @@ class ToolMotion {
 
   /// Returns the Jacobian of the relative velocity, 3 x nv, in world axes.
   auto jacobian() const { return jacobian_.topRows<3>(); }
-  /// Returns the relative velocity at the state of `body`, in world axes [m/s].
+  /// Returns the velocity of the tool relative to the surface at the state of `body`, in world axes
+  /// [m/s].
   Eigen::Vector3d velocity(const RigidBody& body) const {
     if (tool_ < 0) return Eigen::Vector3d::Zero();
     Eigen::Vector3d v = body.velocity(tool_, centered_).head<3>();
@@ -46,7 +47,7 @@ class ToolMotion {
   }
 
  private:
-  int tool_, base_;               ///< Frames of the robot; -1: no tool, or the world.
+  int tool_, base_;               ///< Frames of the robot; tool_ -1: no tool; base_ -1: the world.
   Reference centered_, at_tool_;  ///< Stored, because their construction takes time.
   RowMatrix jacobian_, base_jacobian_;
 };

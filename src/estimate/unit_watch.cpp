@@ -44,7 +44,7 @@ void UnitWatch::advance(const ImuReading& reading, const UnitPose& by_feet,
 }
 
 /// Returns whether the IMU moves like a body that turns about `point`. An IMU with repeated
-/// readings is not evaluated, because it would make a swaying robot look like a tipping one.
+/// readings is not evaluated, because it would make a swaying robot look like a tipping robot.
 UnitWatch::Tips UnitWatch::tips_over(const Vector3d& point, double min_turn,
                                      double min_place) const noexcept {
   if (repeats_for_ > 0.0 || !(turned_.norm() > min_turn)) return Tips::No;

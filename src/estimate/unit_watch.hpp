@@ -59,9 +59,9 @@ class UnitWatch {
   UnitPose before_;
   ImuReading last_;
   Eigen::Vector3d turned_ = Eigen::Vector3d::Zero(), turned_twice_ = turned_;
-  /// Velocity and displacement from the accelerometer, filtered.
+  /// Velocity (filtered by H) and displacement (H^2) from the accelerometer [m/s, m].
   Eigen::Vector3d speed_ = turned_, place_ = turned_;
-  /// Displacement that the feet imply, filtered by H once (path_by_feet_), twice (place_by_feet_).
+  /// Displacement that the feet imply, filtered by H (path_by_feet_) and H^2 (place_by_feet_) [m].
   Eigen::Vector3d path_by_feet_ = turned_, place_by_feet_ = turned_;
   Eigen::Vector3d v_before_ = turned_, speed_by_feet_ = turned_;
   /// Integral of the differences in angular velocity, in the axes of the IMU [rad].

@@ -162,8 +162,8 @@ void DescribedFile::read(void* spec, const Reader& file) const {
       for (const Key& key : section.keys) names.push_back(key.name);
   }
   file.allow_only(names);
-  // Sections are read first: a key from reads() can also set top-level entries. If the file states
-  // a top-level key for such an entry, this key must have priority.
+  // Sections are read before top-level keys. A key that a function from reads() reads can also set
+  // top-level entries, but a top-level key for such an entry must have priority.
   for (const Section& section : sections_)
     if (!section.name.empty())
       if (const auto value = file.find(section.name)) read_section(spec, section, *value);

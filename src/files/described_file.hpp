@@ -23,7 +23,7 @@ class DescribedFile {
   using Read = std::function<void(void* spec, const Reader& value)>;
 
   /// `head` is the comment at the start of a written file. `task` is the value of the key `task`.
-  /// If `says_task`, files are written with this key, and files without it are rejected.
+  /// If `says_task` is true, files are written with this key, and files without it are rejected.
   DescribedFile(const Description& description, std::string head, std::string task,
                 bool says_task = true);
   /// Reads a key of a section with the function `reading`. If an entry of the description has this
@@ -43,7 +43,7 @@ class DescribedFile {
   DescribedFile& gone(const std::string& section, const std::string& name,
                       const std::string& instead);
   /// Excludes keys of the description that have no effect in this file. Written files omit the
-  /// keys. A file that states one is refused with `reason`: "the robot stands on no feet".
+  /// keys. A file that states such a key is refused with `reason`: "the robot stands on no feet".
   DescribedFile& without(const std::string& section, const std::vector<std::string>& names,
                          const std::string& reason);
   /// Calls `settle` after reading, with the specification and the texts that changed it: a file, or
@@ -78,12 +78,12 @@ class DescribedFile {
   struct Key {
     std::string name, meaning, unit;
     Read reading;
-    std::function<std::optional<std::string>(const void*)> writing;  ///< Empty: not written
+    std::function<std::optional<std::string>(const void*)> writing;  ///< Empty if not written
   };
   struct Section {
     std::string name, meaning, word = {};
     std::vector<Key> keys = {};
-    std::map<std::string, std::string> gone = {};  ///< End of the message, by refused key
+    std::map<std::string, std::string> gone = {};  ///< Removed keys, with their messages
   };
   DescribedFile& set(const std::string& section, const std::string& name, Read reading);
   Section& section_named(const std::string& name);
@@ -95,8 +95,8 @@ class DescribedFile {
   std::function<void(void*, const std::vector<Reader>&)> settle_ = {};
 };
 
-/// Override of a key: "key.path=value". Messages call the override `said_by`, such as the option
-/// "--robot arm.urdf", or "override 'key.path=value'" if `said_by` is empty.
+/// Override of a key: the word "key.path=value". Messages name the override by `said_by`, such as
+/// "--robot arm.urdf". If `said_by` is empty, the name is "override 'key.path=value'".
 struct Override {
   std::string word, said_by = {};
 };
@@ -136,7 +136,7 @@ decltype(auto) placed(const std::vector<Reader>& texts, const Work& work) {
 }
 
 /// Applies overrides to a specification. `const DescribedFile& file_of(const Spec*)` must return
-/// the form of its files.
+/// the form of the files of this specification.
 template <class Spec>
 void change(SpecTexts<Spec>& said, const std::vector<Override>& overrides) {
   const DescribedFile& form = file_of(static_cast<const Spec*>(nullptr));

@@ -12,7 +12,7 @@ Eigen::VectorXd center_of_mass(const Model& model, const Eigen::VectorXd& q);
 Eigen::VectorXd placement_here(const Model& model, const Eigen::VectorXd& q,
                                const std::string& frame);
 /// Returns the quaternion (4) of a frame's rotation relative to the axes of `reference`, whose
-/// rotation must be constant. In `reference`, tool means this frame, and base means the world.
+/// rotation must be constant. In `reference`, `tool` means this frame, and `base` means the world.
 /// Throws Error with the nearest known name.
 Eigen::VectorXd rotation_here(const Model& model, const Eigen::VectorXd& q,
                               const std::string& frame, const Reference& reference);
@@ -26,7 +26,7 @@ struct PositionAxes {
 PositionAxes position_axes(const Model& model, const Eigen::VectorXd& q, const std::string& frame,
                            const Reference& reference);
 
-/// Target for which a frame's position has zero residual at one configuration.
+/// Target for which the residual of a frame's position is zero at one configuration.
 struct PositionHere {
   Eigen::Vector3d target;  ///< Target [m]
   /// Rotation from the axes of the residual's rows to the coordinates of targets

@@ -78,7 +78,7 @@ void read_horizon(const Reader& reader, const std::vector<std::string>& known,
       std::vector<HorizonSegment> once;
       read_horizon(entry["of"], known, once);
       const int times = entry["repeat"].count(1);
-      // Checks the size before copying: each segment has at least one knot.
+      // Checks the size before copying. Each segment in `once` has at least one knot.
       if (to_size(times) > max_knots / once.size())
         entry.refuse("the repeated entries have more than " + std::to_string(max_knots) +
                      " knots, the maximum number");
@@ -214,8 +214,8 @@ ContactSpec read_contact_with_inputs(const std::string& name, const Reader& read
   return contact;
 }
 
-/// Reads the parts that do not depend on stages. The words `hold` and `here` use values of these
-/// parts.
+/// Reads the parts of a problem file that do not depend on stages. The words `hold` and `here` in
+/// stages use values of these parts.
 void read_scope(const Reader& top, const std::filesystem::path& folder, ProblemFile& result) {
   ProblemSpec& spec = result.spec;
   const Model& model = spec.model;
@@ -247,7 +247,7 @@ void read_scope(const Reader& top, const std::filesystem::path& folder, ProblemF
 void read_stages(const Reader& top, const ProblemScope& scope, ProblemSpec& spec) {
   const auto shared = top.find("terms");
   if (shared) check_shared(*shared);
-  // YAML aliases can repeat a long list of costs in every stage.
+  // Largest number of terms, because YAML aliases can repeat a long list of costs in every stage.
   constexpr std::size_t max_terms = 10000;
   std::size_t terms = 0;
   std::vector<std::string> known;

@@ -65,7 +65,7 @@ Holding hold(const ProblemSpec& spec, const std::vector<std::string>& contacts,
     throw Error(
         "'hold' has no solution: the dynamics at the start cannot be evaluated; wanted another "
         "posture at the start");
-  // S^T u + J^T lambda = b, with prescribed forces moved to the right-hand side.
+  // S^T u + J^T lambda = b, with unknown forces lambda. Prescribed forces are included in b.
   const std::vector<const Joint*> driven = driven_joints(spec.model, spec.actuation);
   int nu = 0;
   for (const Joint* joint : driven) nu += joint->nv;
@@ -75,7 +75,7 @@ Holding hold(const ProblemSpec& spec, const std::vector<std::string>& contacts,
     for (int k = 0; k < joint->nv; ++k) A(joint->v_index + k, column++) = 1.0;
   Eigen::VectorXd b = dynamics.bias();
   int row = 0;
-  std::vector<std::tuple<std::string, int, int>> free;  // contact, first column, rows
+  std::vector<std::tuple<std::string, int, int>> free;  // contact, first column, number of rows
   Holding result;
   for (const ContactSpec& contact : spec.contacts) {
     const std::string name = name_of_contact(contact);

@@ -18,7 +18,7 @@ using ocp::RowGroup;
 /// Robot, contacts and starting configuration of a problem file.
 struct ProblemScope {
   const Robot& robot;
-  const ProblemSpec& spec;       ///< Contains at least the robot, the contacts and the actuation
+  const ProblemSpec& spec;       ///< At least robot, contacts and actuation are set
   Eigen::VectorXd q;             ///< Starting configuration
   std::filesystem::path folder;  ///< Folder of the file, for relative names
 
@@ -38,7 +38,7 @@ struct Holding {
 };
 /// Returns the names of the table columns of the force states: one for each force row.
 std::vector<std::string> force_state_columns(const ProblemSpec& spec);
-/// Returns the force states for these contact forces; 0 for contacts without a force.
+/// Returns the force states that equal `forces`; 0 for contacts that `forces` does not contain.
 Eigen::VectorXd force_states_of(const ProblemSpec& spec, const HeldForces& forces);
 /// Computes the controls and the contact forces that keep the robot at rest at `q`. `contacts` are
 /// the active contacts. `prescribed` contains forces that are already known. Throws Error if the

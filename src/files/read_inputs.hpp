@@ -9,7 +9,7 @@ namespace burnish::files {
 /// for a constant scalar or vector. Tables of values over time are in `folder`.
 std::vector<InputSpec> read_inputs(const Reader& reader, const Model& model,
                                    const std::filesystem::path& folder);
-/// Returns the name of the input that the key `key` of a map states, or an empty name without this
+/// Returns the name of the input that the key `key` of a map states; empty if the map lacks this
 /// key. Throws Error with the place and the nearest known name if there is no such input.
 std::string read_input_name(const Reader& reader, const char* key, const ProblemSpec& spec);
 

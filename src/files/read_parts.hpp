@@ -17,8 +17,8 @@ Robot read_robot(const Reader& reader, const std::filesystem::path& folder,
 /// empty here; read_contact() reads the optional key `name` of such a contact.
 std::vector<std::pair<std::string, Reader>> contacts_in(const Reader& reader);
 /// Reads a contact. Its default target is the tool's placement at q. If `name` is empty, the
-/// contact may have a key `name`. `tables` is the folder of tables, as in
-/// read_reference(). The caller reads the key `surface_input`, which contacts of problems may have.
+/// contact may have a key `name`. `tables` is the folder of tables, as in read_reference(). The
+/// caller reads the key `surface_input`, which contacts of problems may have.
 ContactSpec read_contact(const std::string& name, const Reader& reader, const Model& model,
                          const Eigen::VectorXd& q, const std::filesystem::path* tables = nullptr);
 ContactSolver read_contact_solver(const Reader& reader);

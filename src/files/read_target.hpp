@@ -17,12 +17,12 @@ struct TargetSpace {
   std::vector<RowGroup> rows = {};
   std::optional<Eigen::VectorXd> here = {};  ///< Value at the start, if the residual has one
   Kind kind = Kind::Plain;
-  /// Axes of offsets from `here`, as columns in the coordinates of targets. If this is not set,
+  /// Axes of offsets from `here`, as columns in the coordinates of targets. Without these axes, the
   /// offsets are in the coordinates of targets.
   std::optional<Eigen::Matrix3d> offsets = {};
 
   int size() const { return rows_of(rows); }
-  /// Returns the number of entries of the quaternion at the end of a target: 4, or 0 without one.
+  /// Returns the number of quaternion entries at the end of a target: 4, or 0 for Kind::Plain.
   int quaternion_entries() const { return kind == Kind::Plain ? 0 : 4; }
 };
 

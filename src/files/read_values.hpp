@@ -24,8 +24,8 @@ Eigen::Matrix3d read_axes(const Reader& reader);
 /// Reads a word of Directions::parse, or a list of such words: linear, pad_z, [x, y].
 Directions read_directions(const Reader& reader);
 /// Reads a configuration: the name of a posture, {from: name, joint: value or values, ...}, or nq
-/// numbers. Joints without a value are as in the posture `from`, as in `others`, or as in the
-/// default posture.
+/// numbers. Joints without a value take it from the posture `from`, else from `others`, else from
+/// the default posture.
 Eigen::VectorXd read_configuration(const Robot& robot, const Reader& reader,
                                    const std::optional<Posture>& others = std::nullopt);
 /// Reads one number for all rows, a list, or {name: number or list, ..., other: number}. Rows
@@ -34,7 +34,7 @@ Eigen::VectorXd read_rows(const Reader& reader, const std::vector<RowGroup>& gro
                           double otherwise);
 /// Returns the total number of rows.
 int rows_of(const std::vector<RowGroup>& groups);
-/// Returns one group per joint: its entries of v. A joint that follows another has no group.
+/// Returns one group per joint: its entries of v. A joint that follows another joint has no group.
 std::vector<RowGroup> velocity_rows(const Model& model);
 
 /// Returns the path of a file name in a problem file: relative names start from `folder`.

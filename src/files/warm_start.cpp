@@ -11,7 +11,7 @@ namespace {
 /// Control and force states that keep the robot at rest in a stage. The control of an impact is
 /// zero.
 struct StageHolding {
-  Eigen::VectorXd control, forces;  ///< nu entries; force states
+  Eigen::VectorXd control, forces;  ///< Controls (nu); force states
 };
 
 /// Returns the controls and force states of each stage. A stage with the same contacts as the first

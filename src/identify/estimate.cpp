@@ -8,7 +8,7 @@
 namespace burnish::identify_detail {
 namespace {
 
-constexpr double lag_windows = 6.0;  // Largest lag in sums over lags [windows]
+constexpr double lag_windows = 6.0;  // Largest lag in sums over lags [torque windows]
 
 /// Returns the largest lag at which residuals count as correlated [samples].
 int lags_of(const Regression& of) {
@@ -18,8 +18,8 @@ int lags_of(const Regression& of) {
 /// Returns M. Bartlett's weight of a lag in sums over lags, which falls linearly with the lag.
 double lag_weight(int lag, int lags) { return 1.0 - static_cast<double>(lag) / (lags + 1); }
 
-/// Returns the factor that enlarges standard deviations, because they come from sums over lags that
-/// are estimates. The factor is a critical value (99 %) of N. Kiefer and T. Vogelsang, "A New
+/// Returns a factor on standard deviations, which accounts for errors of the estimated sums over
+/// lags. The factor is a critical value (99 %) of N. Kiefer and T. Vogelsang, "A New
 /// Asymptotic Theory for Heteroskedasticity-Autocorrelation Robust Tests" (2005), divided by the
 /// same critical value of a normal distribution.
 double enlargement(double lags_per_sample) {
@@ -43,7 +43,7 @@ Eigen::VectorXd spectral_variance(const Regression& of, const Eigen::VectorXd& r
   for (int lag = 1; lag <= lags; ++lag) {
     result += 2.0 * lag_weight(lag, lags) * covariance_at(of, residual, lag).diagonal();
   }
-  // Bounds the weights: a torque without noise would outweigh the prior by far.
+  // Bounds the weights, because a torque without noise would outweigh the prior by far.
   constexpr double min_fraction = 1e-5;  // Smallest noise, as a fraction of a torque's rms
   const Eigen::VectorXd floor =
       (min_fraction * min_fraction * covariance_at(of, of.measured, 0).diagonal().array() + 1e-16)

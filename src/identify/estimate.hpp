@@ -9,7 +9,7 @@ struct Fit {
   Eigen::VectorXd x;
   Eigen::VectorXd weight;  ///< Weight of each row
   Eigen::MatrixXd covariance;
-  Eigen::VectorXd rms_before, rms_after;  ///< nv entries each
+  Eigen::VectorXd rms_before, rms_after;  ///< Rms of residuals, nv entries each [Nm, N]
   bool converged = false;
 };
 

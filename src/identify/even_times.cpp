@@ -14,8 +14,8 @@ constexpr double even_within = 0.01;  // Largest jitter of even times [periods]
 /// Longest gap that a cubic bridges [s]. The error for a motion of 4 Hz is 1e-3 of its amplitude.
 constexpr double max_gap = 0.03;
 constexpr double min_bridged_periods = 3.5;  // Gaps up to this length are always bridged [periods]
-constexpr double missing_above = 1.75;       // Longer steps miss a sample [periods]
-constexpr double max_missing_fraction = 0.05;  // Of all samples
+constexpr double missing_above = 1.75;       // Steps above this length miss a sample [periods]
+constexpr double max_missing_fraction = 0.05;  // Largest fraction of missing samples
 /// Minimum distance of a cubic's outer node from its inner neighbour; limits noise [periods].
 constexpr double node_distance = 0.5;
 
@@ -43,8 +43,8 @@ double middle_of(Eigen::VectorXd values) {
 
 /// Deviation of a record's times from even times.
 struct Unevenness {
-  double period = 0.0;  ///< [s]
-  double jitter = 0.0;  ///< Largest error of a step that misses no sample [s]
+  double period = 0.0;  ///< Sampling period [s]
+  double jitter = 0.0;  ///< Largest deviation of a step without a gap from `period` [s]
   double gap = 0.0;     ///< Largest step over missing samples [s]; 0: no sample is missing
   double gap_at = 0.0;  ///< Time of the sample before the gap [s]
   Eigen::Index missing = 0;
@@ -88,7 +88,7 @@ void check_gaps(const Unevenness& uneven, Eigen::Index samples) {
                 "; wanted at most " + number(100.0 * max_missing_fraction) + " %");
 }
 
-/// Up to four samples about a time, in order: the two adjacent samples and one beyond each.
+/// Indices of up to four samples about a time: the two adjacent samples and one beyond each.
 struct Nodes {
   Eigen::Index at[4] = {};
   int count = 0;
@@ -108,7 +108,7 @@ Nodes nodes_about(const Eigen::VectorXd& time, double t, double distance) {
   return nodes;
 }
 
-/// Evaluates at t the polynomial through the nodes. Steps of an `angle` take the shorter direction.
+/// Evaluates the polynomial through the nodes at t. An `angle` turns the shorter way between nodes.
 double between(const Eigen::VectorXd& time, const RowMatrix& values, Eigen::Index column,
                const Nodes& nodes, double t, bool angle) {
   constexpr double turn = 2.0 * std::numbers::pi;

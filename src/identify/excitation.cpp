@@ -60,14 +60,14 @@ void check(const Model& model, const Eigen::VectorXd& q_start, const ExcitationS
                   std::string(name_of(joint.kind)) + "; wanted joints with one coordinate");
 }
 
-/// Torque with the largest fraction of its limit.
+/// Joint torque that is the largest fraction of its effort limit.
 struct Load {
   int entry = 0;
-  double torque = 0.0;    ///< [Nm, N]
+  double torque = 0.0;    ///< Absolute value [Nm, N]
   double fraction = 0.0;  ///< Fraction of the effort limit
 };
 Load heaviest_load(const Model& model, const Eigen::VectorXd& tau) {
-  constexpr double none = 1e-9;  // smaller torques are rounding errors [Nm, N]
+  constexpr double none = 1e-9;  // torques up to this value are rounding errors [Nm, N]
   Load worst;
   for (int k = 0; k < model.nv; ++k) {
     const double torque = std::abs(tau[k]);
@@ -84,7 +84,7 @@ const char* torque_unit(const Model& model, int entry) {
 std::string torque_text(const Model& model, int entry, double torque) {
   return number(torque) + torque_unit(model, entry);
 }
-/// Example: "0.8 of its effort limit of 39 Nm".
+/// Returns a text such as "0.8 of its effort limit of 39 Nm".
 std::string limit_text(const Model& model, int entry, double effort_share) {
   return (effort_share < 1.0 ? number(effort_share) + " of " : "") + "its effort limit of " +
          torque_text(model, entry, model.effort_limit[entry]);
@@ -213,7 +213,7 @@ bool Excitation::limit(double effort_share) {
   return false;
 }
 
-/// Names the joint whose effort limit the motion would exceed at full size.
+/// Returns a text that names the joint whose effort limit the motion at full size would exceed.
 std::string Excitation::effort_text(const Amplitudes& amplitudes, double effort_share) const {
   return "joint " + in_quotes(model_.v_name(amplitudes.heaviest)) + " would need " +
          torque_text(model_, amplitudes.heaviest, amplitudes.torque) + ", more than " +

@@ -42,7 +42,7 @@ FaultSearch::FaultSearch(const Model& model, const MotionRecord& record, const W
 
 std::optional<Fault> FaultSearch::best(const Eigen::VectorXd& x, const Eigen::VectorXd& expected) {
   reference_ = weighted(base_.residual(x));
-  // Factor on the squared noise, because a mean over few instants is noisier. It was 1.5 for arm7.
+  // Factor on the squared noise, because a mean over few instants is noisier (on arm7, 1.5 times).
   constexpr double of_few_instants = 2.0;
   noise_ = of_few_instants * weighted(expected.replicate(base_.samples, 1));
   try_negative_mass();
@@ -60,7 +60,7 @@ std::optional<Fault> FaultSearch::best(const Eigen::VectorXd& x, const Eigen::Ve
   return best_;
 }
 
-/// Tries negative and impossible masses. They explain the record of a robot lighter than its model.
+/// Tries negative and impossible masses, which fit the record of a robot lighter than its model.
 void FaultSearch::try_negative_mass() {
   const double as_it_is = left(rows(base_), &solution_);
   const double mass = solution_[0];
@@ -100,7 +100,7 @@ double FaultSearch::left(const Rows& rows, Eigen::VectorXd* solution) const {
       (A.colwise().norm().array() + 1e-300).inverse().matrix().transpose();
   A = A * scale.asDiagonal();
   Eigen::MatrixXd information = A.transpose() * A;
-  information.diagonal().array() += 1e-10;  // For linearly dependent columns
+  information.diagonal().array() += 1e-10;  // Allows linearly dependent columns
   const Eigen::VectorXd x =
       scale.asDiagonal() *
       solve_positive(information, A.transpose() * root.cwiseProduct(rows.b)).col(0);

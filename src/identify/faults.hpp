@@ -37,16 +37,16 @@ class FaultSearch {
   std::optional<Fault> best(const Eigen::VectorXd& x, const Eigen::VectorXd& expected);
 
  private:
-  using Change = std::function<void(RowMatrix&)>;  ///< Changes columns of a record
+  using Change = std::function<void(RowMatrix&)>;  ///< Function that changes columns of a record
 
   void try_negative_mass();
-  // faults_of_torques.cpp
+  // Defined in faults_of_torques.cpp:
   void try_gains();
   void consider_gains(const Eigen::VectorXd& gain, double squares);
   void try_torque_columns();
   void try_lags();
   void try_single_torques();
-  // faults_of_motion.cpp
+  // Defined in faults_of_motion.cpp:
   void try_gravity();
   void try_payload_change();
   void try_position_columns();
@@ -63,9 +63,9 @@ class FaultSearch {
   Regression regression(const Model& model, const MotionRecord& record,
                         const IdentificationSpec& spec) const;
   Regression with_positions(const Change& change) const;
-  /// Returns `rows` (samples x nv) after `change` of the columns.
+  /// Returns `rows` (samples x nv) with their columns changed by `change`.
   Eigen::VectorXd with_torques(const Eigen::VectorXd& rows, const Change& change) const;
-  /// Returns the rows that the regression would have after `change` of the torques.
+  /// Returns the rows of the regression for torques whose columns are changed by `change`.
   Rows rows_with_torques(const Regression& of, const Change& change) const;
   Eigen::VectorXd shifted_torque(int joint, Eigen::Index by) const;
 

@@ -1,4 +1,4 @@
-// Faults outside the measured torques: positions, times, gravity, payload and friction.
+// Faults of measured positions and times, and of assumed gravity, payload and joint friction.
 #include <algorithm>
 #include <cmath>
 #include <numbers>
@@ -162,7 +162,7 @@ void FaultSearch::try_period() {
 
 /// Tries a constant offset of one encoder.
 void FaultSearch::try_encoder_offsets() {
-  constexpr double step = 0.01, largest = 2.0;  // [rad, m]
+  constexpr double step = 0.01, largest = 2.0;  // Finite difference, largest offset [rad, m]
   struct Trial {
     double offset = 0.0, squares = std::numeric_limits<double>::infinity();
   };
@@ -179,7 +179,7 @@ void FaultSearch::try_encoder_offsets() {
     const double expected = left(with_column(now, slope), &all);
     return std::pair{offset + all.tail<1>()[0], expected};
   };
-  // Gauss-Newton steps do not converge to large offsets, so quarters of a turn are tried first.
+  // Gauss-Newton steps do not converge to large offsets, so multiples of `quarter` are tried first.
   constexpr double quarter = 0.5 * std::numbers::pi;
   for (const Joint& joint : model_.joints) {
     if (joint.nq != 1 || joint.kind == JointKind::Prismatic) continue;
@@ -201,7 +201,7 @@ void FaultSearch::try_encoder_offsets() {
   Trial trial;
   for (int iteration = 0; iteration < 4 && std::abs(offset) < largest; ++iteration)
     offset = improve(best, offset, trial).first;
-  constexpr double mild = 0.01;  // Largest usual error of a calibration [rad, m]
+  constexpr double mild = 0.01;  // Offset below which the fault is mild [rad, m]
   consider(in_quotes(q_column(model_, best)) + " seems to have a constant error of " +
                number(-trial.offset) + " rad (m); is that encoder calibrated?",
            trial.squares, std::abs(trial.offset) < mild);

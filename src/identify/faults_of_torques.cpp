@@ -52,7 +52,7 @@ void FaultSearch::try_gains() {
         with.b[row] += torque(s, k);
     }
   }
-  // Weights residuals by the model's torques, because `with` has the units of the model.
+  // Divides residuals by the rms of the model's torques, whose units the rows `with` have.
   const Eigen::VectorXd weight = weight_;
   const Eigen::Map<const RowMatrix> model_torque(known.data(), base_.samples, nv);
   const Eigen::ArrayXd size =

@@ -19,14 +19,14 @@ constexpr double falls_beyond = 0.1;
 /// `burnish identify --seeds`.
 constexpr double follows_within = 0.5 * std::numbers::pi;
 
-/// Deviation of a joint from the motion.
+/// Deviation of a joint from its planned motion.
 struct JointDeviation {
   double farthest = 0.0;  ///< Largest distance from the motion [rad, m]
   double at = 0.0;        ///< Time of the largest distance [s]
-  /// Time at which the distance exceeds `falls_beyond` [s]; negative: never
+  /// Time at which the distance first exceeds `falls_beyond` [s]; negative: it never does
   double left_at = -1.0;
   double low = 0.0, high = 0;  ///< Range of the planned path, relative to its start [rad, m]
-  bool falls = false;          ///< The command exceeded the effort limit while the joint was away
+  bool falls = false;          ///< Command above the effort limit, distance above `falls_beyond`
 };
 
 std::vector<JointDeviation> followings(const Model& model, const Excitation& motion,

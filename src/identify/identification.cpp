@@ -85,7 +85,7 @@ EstimatedInertia estimated(const Unknown& before, const Vector10& eta, const Mat
 }
 
 void warn_of(Identification& result) {
-  constexpr double max_delay = 0.02;  // Delay of usual sensors and buses; chosen by hand [s]
+  constexpr double max_delay = 0.02;  // Largest delay without a warning; chosen by hand [s]
   if (std::abs(result.delay.value) > max_delay)
     result.warnings.push_back("the torques are " + number(1e3 * result.delay.value) +
                               " ms behind the positions, and this delay is not corrected; were "

@@ -17,7 +17,7 @@ constexpr double whole_turn = 2.0 * std::numbers::pi;
 /// turns this far between two samples.
 constexpr double wrap_tolerance = 0.5 * std::numbers::pi;
 
-/// Visits the joints of `model`, each with its index in the q of the model `angles`.
+/// Calls `visit` for each joint of `model`, with the joint's index in q of the model `angles`.
 template <typename Visit>
 void each_joint(const Model& model, const Model& angles, const Visit& visit) {
   for (std::size_t i = 0; i < model.joints.size(); ++i)
@@ -27,7 +27,7 @@ void each_joint(const Model& model, const Model& angles, const Visit& visit) {
 /// Throws Error for a (cos, sin) that is not on the unit circle.
 void check_circle(const Model& model, const Joint& joint, const MotionRecord& record,
                   Eigen::Index first) {
-  constexpr double tolerance = 0.05;  // On the length of (cos, sin)
+  constexpr double tolerance = 0.05;  // Accepted deviation of the length of (cos, sin) from 1
   const auto pair = record.q.middleCols(joint.q_index, 2);
   for (Eigen::Index i = first; i < pair.rows(); ++i)
     if (const double length = pair.row(i).norm(); std::abs(length - 1.0) > tolerance)

@@ -10,7 +10,7 @@ inline bool is_circle(const Joint& joint) {
   return joint.kind == JointKind::Continuous && joint.nq == 2;
 }
 
-/// Returns the robot with revolute joints without limits in place of its continuous joints.
+/// Returns the model with its continuous joints replaced by unlimited revolute joints.
 Model angle_model(const Model& model);
 
 /// Returns the record with q in the format of angle_model(). Angles continue beyond half a turn.

@@ -1,6 +1,6 @@
 // Log-Cholesky coordinates: a body's ten inertial parameters as ten unbounded numbers (C. Rucker,
-// P. Wensing, "Smooth Parameterization of Rigid-Body Inertia", 2022). The pseudo-inertia is J = U
-// U^T with
+// P. Wensing, "Smooth Parameterization of Rigid-Body Inertia", 2022). The pseudo-inertia is
+// J = U U^T with
 //   U = e^alpha [ e^d1 s12  s13  t1 ]
 //               [ 0    e^d2 s23  t2 ]
 //               [ 0    0    e^d3 t3 ]

@@ -6,18 +6,18 @@
 
 namespace burnish::identify_detail {
 
-/// Returns the weights of the record's samples in one row of the regression, for signals that enter
-/// it as time derivatives of this order.
+/// Returns the weights of the record's samples in one row of the regression. `order`: order of the
+/// time derivative with which the signal enters the regression.
 Eigen::VectorXd kernel(const Windows& windows, int order);
 
-/// A record and its regressions.
+/// A motion record and its regressions.
 struct Evidence {
   const Model& model;
   const MotionRecord& record;
   const Windows& windows;
   const Regression& regression;
   const Regression& longer;  ///< Regression over longer motion windows
-  double fraction;           ///< Ratio of the smoothing error to the difference from `longer`
+  double fraction;           ///< (smoothing error) / (difference of `longer` and `regression`)
   double torque_noise;       ///< Given noise of each sample; 0: estimated from the record [Nm, N]
 };
 
@@ -26,7 +26,7 @@ struct Evidence {
 Eigen::VectorXd expected_rms(const Evidence& of, const Eigen::VectorXd& x);
 
 struct Misfit {
-  Eigen::VectorXd ratio;     ///< Residual over expected residual, nv entries
+  Eigen::VectorXd ratio;     ///< Rms of the residual divided by the expected rms, nv entries
   int joint = 0;             ///< Entry of v with the largest ratio
   double unexplained = 0.0;  ///< Rms of the residual over rms of the torques of the unknown masses
   bool is_suspicious = false;

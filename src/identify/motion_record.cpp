@@ -33,7 +33,7 @@ std::optional<std::string> angle_column(const Trace& trace, const std::string& j
               in_quotes("q_" + joint + ".cos") + " and " + in_quotes("q_" + joint + ".sin"));
 }
 
-/// Returns the measured column of an entry of q, or the plain column if there is no measured one.
+/// Returns the column `measured_q_...` of an entry of q, or `q_...` if the trace lacks it.
 Trace::Column position_column(const Trace& trace, const std::string& entry) {
   const std::string measured = position_prefixes[0] + entry;
   return trace.column(trace.has(measured) ? measured : position_prefixes[1] + entry);
@@ -68,7 +68,7 @@ RowMatrix entries_of(const Model& model, const Trace& trace) {
 
 MotionRecord motion_record(const Model& model, const Trace& trace) {
   const Eigen::VectorXd time = trace.column("time");
-  // Angles are not converted, because a wrong unit is visible in angles but not in their cosines.
+  // Angles are not converted to cosines, in which a wrong unit would no longer be visible.
   bool any_circle = false, all_angles = true;
   for (const Joint& joint : model.joints) {
     if (!is_circle(joint)) continue;

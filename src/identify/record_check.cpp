@@ -12,8 +12,8 @@ namespace burnish::identify_detail {
 namespace {
 
 constexpr double turn = 2.0 * std::numbers::pi;
-constexpr double at_rest = 1e-3;  // Smaller ranges of all joints mean an arm at rest [rad, m]
-constexpr int min_outliers = 3;   // Outliers accepted in a record of any length
+constexpr double at_rest = 1e-3;           // Largest range of any joint of an arm at rest [rad, m]
+constexpr int min_outliers = 3;            // Outlying samples accepted in a record of any length
 constexpr double outlier_fraction = 1e-3;  // Fraction of samples that may be outliers
 
 const Joint& joint_of_q(const Model& model, int entry) {
@@ -56,17 +56,16 @@ int unwrap(Eigen::VectorXd& signal, Steps& steps, Eigen::Index& first) {
   return wraps;
 }
 
-/// Moves a turning angle by whole turns to the middle of its limits, if it has limits.
+/// Shifts a turning angle by whole turns towards the middle of its limits, if it has limits.
 void centre(Eigen::VectorXd& signal, double lower, double upper) {
   const double middle = 0.5 * (lower + upper);
   if (std::isfinite(middle)) signal.array() += turn * std::round((middle - signal.mean()) / turn);
 }
 
-/// Returns the outliers, including outliers in the first and last samples, which have one step
-/// only.
+/// Returns the outliers. At the start and at the end of a signal, a single step makes an outlier.
 std::vector<Outlier> outliers_of(Steps& steps, Eigen::Index samples) {
   std::vector<Outlier> result = take_outliers(steps);
-  constexpr Eigen::Index edge = 5;  // Length of the first and last part [samples]
+  constexpr Eigen::Index edge = 5;  // Length of the start and of the end [samples]
   std::vector<SuddenStep> left;
   for (const SuddenStep& step : steps.sudden) {
     if (step.at <= edge)
@@ -164,12 +163,13 @@ void check_torques(const Model& model, CheckedRecord& checked) {
 
 /// Throws Error for a frozen reading: a joint that stops abruptly for a long time within a motion.
 void check_frozen(const Model& model, CheckedRecord& checked) {
-  constexpr double max_standstill = 0.1;      // exactly equal samples within a motion [s]
-  constexpr Eigen::Index before = 10;         // Samples that give the speed before and after
-  constexpr double min_speed_fraction = 0.1;  // Of the speed over its fastest 10 samples
-  // Near a turning point with acceleration a, a joint stays within one quantum for a time T, with
-  // quantum = a T^2 / 8. If T is at least 20 samples (max_standstill at 200 Hz or more), the joint
-  // moves by at most three quanta in the 10 samples before this time.
+  constexpr double max_standstill = 0.1;      // Longest run of equal samples in a motion [s]
+  constexpr Eigen::Index before = 10;         // Samples on each side of a run that give the speed
+  constexpr double min_speed_fraction = 0.1;  // Fraction of the fastest speed over 10 samples
+  // Smallest motion beside the run of a frozen encoder [quanta]. At a turning point with the
+  // acceleration a, a joint also stays within one quantum for a time T, with quantum = a T^2 / 8.
+  // If T is at least 20 samples (max_standstill at 200 Hz or more), the joint moves by at most
+  // three quanta in the 10 samples before this time.
   constexpr double quanta = 4.0;
   const MotionRecord& record = checked.record;
   for (int k = 0; k < model.nq; ++k) {
@@ -251,7 +251,7 @@ CheckedRecord checked_record(const Model& model, const MotionRecord& record) {
 }
 
 std::vector<std::string> beyond_limits(const Model& model, const MotionRecord& record) {
-  // Usual difference between calibrations; chosen by hand [rad, m]
+  // Accepted excess over a position limit, due to calibration; chosen by hand [rad, m]
   constexpr double position_slack = 0.02;
   // Accepted multiples of the limits. Noise exceeds torque limits. A swinging light wrist exceeds
   // speed limits: the wrist of a UR10 reached 2.1 times its limit in an excitation with a payload

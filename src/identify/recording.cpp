@@ -16,8 +16,8 @@ namespace {
 /// which the controller does not model.
 constexpr double settling = 1.5;
 
-/// Computed-torque controller, tau = M (a + kd e' + kp e) + b, with the nominal M and b, the
-/// planned acceleration a, and the tracking error e.
+/// Computed-torque controller, tau = M (a + kd e' + kp e) + b, with the nominal mass matrix M and
+/// bias b, the planned acceleration a, and the tracking error e with the rate e'.
 class FollowMotion final : public Controller {
  public:
   FollowMotion(const Model& model, const Excitation& motion)
@@ -28,7 +28,7 @@ class FollowMotion final : public Controller {
   void reset() noexcept override {}
   const Command& tick(const Measurement& m) noexcept override {
     motion_.at(m.time - settling, q_, v_, a_);
-    constexpr double kp = 144.0, kd = 24.0;  // 1/s^2, 1/s
+    constexpr double kp = 144.0, kd = 24.0;  // [1/s^2, 1/s]
     a_ += kd * (v_ - m.v) + kp * difference(model_, normalized(model_, m.q), q_);
     command_.status = dynamics_.inverse(normalized(model_, m.q), m.v, a_, none_);
     if (is_usable(command_.status)) command_.tau = dynamics_.tau();
@@ -43,7 +43,7 @@ class FollowMotion final : public Controller {
   Eigen::VectorXd q_, v_, a_, none_;
 };
 
-/// Returns the trace without its first rows.
+/// Returns the trace without its first rows, with time zero at the start of the motion.
 Trace without_start(const Trace& trace, int rows) {
   Trace result(trace.columns(), trace.rows() - rows);
   const auto columns = static_cast<int>(trace.columns().size());

@@ -9,7 +9,7 @@
 namespace burnish::identify_detail {
 namespace {
 
-// Velocity scale of the sign of Coulomb friction [rad/s, m/s]
+// Velocity scale of the smoothed sign in Coulomb friction [rad/s, m/s]
 constexpr double slip_velocity = 0.02;
 
 /// Terms of the regression at one instant, as columns: one for each entry of x, then `rest`,
@@ -122,7 +122,7 @@ Regression::Regression(const Model& model, const SmoothedMotion& motion, const W
 
 void Regression::set_prior(std::span<const Unknown> unknowns, const Model& model) {
   prior.setZero(size());
-  prior_sigma.setConstant(size(), 1e3);  // [Nm, Nms/rad]: no prior knowledge of friction
+  prior_sigma.setConstant(size(), 1e3);  // wide prior, such as for friction [Nm, Nms/rad]
   for (std::size_t i = 0; i < unknowns.size(); ++i) {
     prior.segment<10>(static_cast<Eigen::Index>(10 * i)) = unknowns[i].eta;
     prior_sigma.segment<10>(static_cast<Eigen::Index>(10 * i)) = unknowns[i].sigma;
@@ -138,7 +138,7 @@ void Regression::take(const Eigen::MatrixXd& terms, double period) {
   before = terms.col(Instant::before(layout));
   second = terms.col(Instant::second(layout));
   measured = terms.col(Instant::measured(layout));
-  // Mean of a torque over the past sampling period minus its value half a period ago.
+  // Torque half a sampling period ago, minus the mean torque over the past sampling period.
   held = period * period / 12.0 * second;
 }
 

@@ -10,11 +10,11 @@
 namespace burnish::identify_detail {
 
 /// Unknown mass distribution and its prior: the log-Cholesky coordinates are normally distributed
-/// about eta.
+/// about `eta` with standard deviations `sigma`.
 struct Unknown {
   std::string frame;
   int body;
-  Matrix10 to_body;  ///< Transform of parameters from the frame's axes to the body's
+  Matrix10 to_body;  ///< Transform of parameters from the frame's to the body's axes
   Vector10 eta, sigma;
   bool replaces = false;  ///< Replaces the body's own inertia instead of adding to it
 };
@@ -43,9 +43,9 @@ struct Regression {
   int nv = 0, samples = 0;
   double samples_per_window = 1.0;
   Eigen::VectorXd measured;  ///< Measured torques
-  Eigen::VectorXd rest;      ///< Measured torques minus the nominal terms
+  Eigen::VectorXd rest;      ///< Measured torques minus the nominal torques that x does not replace
   Eigen::VectorXd before;    ///< Measured torques minus the torques of the nominal model
-  Eigen::MatrixXd Y;         ///< 10 columns per inertia, of parameters in the inertia's frame
+  Eigen::MatrixXd Y;         ///< Regressor: 10 columns per inertia, for parameters in its frame
   Eigen::MatrixXd linear;
   Eigen::VectorXd second;              ///< Coefficients of the squared delay
   Eigen::VectorXd held;                ///< Error from holding a torque over a sampling period

@@ -12,8 +12,8 @@ namespace {
 
 constexpr double deviations = 8.0;       // Robust standard deviations that a sudden step exceeds
 constexpr double of_usual_steps = 2.0;   // Factor on the 95th percentile; see sudden_steps()
-constexpr double mad_to_sigma = 1.4826;  // For a normal distribution
-constexpr Eigen::Index max_outlier = 5;  // [samples]
+constexpr double mad_to_sigma = 1.4826;  // sigma / (median absolute deviation), if normal
+constexpr Eigen::Index max_outlier = 5;  // Longest outlier [samples]
 
 double quantile(std::vector<double> values, double fraction) {
   if (values.empty()) return 0.0;
@@ -110,8 +110,8 @@ void bridge(Eigen::VectorXd& signal, const Outlier& outlier) {
 }
 
 double white_noise(const Eigen::VectorXd& signal) {
-  // Error of the cubic through the four neighbours. Its variance is 1 + 34/36 times the variance of
-  // the white noise.
+  // Error of the cubic through the four neighbours of each sample. Its variance is 1 + 34/36 times
+  // the variance of the white noise.
   const Eigen::Index n = signal.size();
   if (n < 5) return 0.0;
   const Eigen::VectorXd error =

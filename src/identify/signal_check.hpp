@@ -9,17 +9,17 @@ namespace burnish::identify_detail {
 /// Step from sample `at - 1` to sample `at` that differs strongly from the steps around it.
 struct SuddenStep {
   Eigen::Index at = 0;
-  double size = 0.0;  ///< Size beyond the median of the neighbouring steps
+  double size = 0.0;  ///< Step minus the median of the neighbouring steps
 };
 
-/// Outlier: the signal leaves and returns after `count` samples.
+/// Outlier: the signal jumps at sample `at`, and jumps back after `count` samples.
 struct Outlier {
   Eigen::Index at = 0, count = 0;
   double size = 0.0;  ///< Largest distance from the signal around the outlier
 };
 
 struct Steps {
-  std::vector<SuddenStep> sudden;  ///< In ascending order
+  std::vector<SuddenStep> sudden;  ///< Sudden steps, in the order of time
   double tolerance = 0.0;          ///< Size above which a step is sudden
 };
 

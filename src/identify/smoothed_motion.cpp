@@ -10,8 +10,8 @@ namespace burnish::identify_detail {
 namespace {
 
 constexpr int min_half = 3;                 // Minimum number of samples beside a window's middle
-constexpr int instants_per_window = 40;     // Per motion window; more instants add no information
-constexpr double implausible_period = 0.5;  // Longer than the period of any controller's record [s]
+constexpr int instants_per_window = 40;     // Per motion window; more would add no information
+constexpr double implausible_period = 0.5;  // Longer than the period of any controller [s]
 constexpr double longer_factor = 1.5;       // Ratio of the lengths of the two motion windows
 
 void check(const Model& model, const MotionRecord& record, const IdentificationSpec& spec) {

@@ -10,7 +10,7 @@ namespace burnish::identify_detail {
 /// to estimate the error of the shorter one. A third window smooths torques and the terms of the
 /// regression.
 struct Windows {
-  /// Throws Error like identify().
+  /// Throws Error under the same conditions as identify().
   Windows(const Model& model, const MotionRecord& record, const IdentificationSpec& spec);
 
   /// Returns windows with fewer instants, for searches that do not need full precision. The half
@@ -20,8 +20,8 @@ struct Windows {
   int motion = 0, longer = 0;          ///< Half lengths of the two motion windows [samples]
   int torque = 0;                      ///< Half length of the torque window [instants]
   Eigen::Index first = 0, count = 0;   ///< Sample of the first instant; number of instants
-  Eigen::Index samples = 0;            ///< Samples of the record
-  Eigen::Index stride = 1;             ///< Samples between instants
+  Eigen::Index samples = 0;            ///< Number of samples of the record
+  Eigen::Index stride = 1;             ///< Number of samples from one instant to the next
   double period = 0.0, spacing = 0.0;  ///< Time between samples, and between instants [s]
 };
 

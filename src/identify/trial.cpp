@@ -9,7 +9,7 @@
 namespace burnish {
 namespace {
 
-constexpr std::uint64_t drawing = 100;  // Random stream that no disturbance uses
+constexpr std::uint64_t drawing = 100;  // Index of a random stream that no disturbance uses
 
 }  // namespace
 

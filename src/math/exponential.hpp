@@ -6,7 +6,7 @@
 
 namespace burnish {
 
-/// Coefficients at rotation angle theta, as polynomials in (w x) and in ad = (xi x):
+/// Coefficients of polynomials in (w x) or ad = (xi x), for a rotation vector w or a twist xi:
 ///   displacement: V = 1 + so3_1 (w x) + so3_2 (w x)^2,
 ///   right Jacobian of SO(3): 1 - so3_1 (w x) + so3_2 (w x)^2,
 ///   right Jacobian of SE(3): 1 - se3_1 ad + se3_2 ad^2 - se3_3 ad^3 + se3_4 ad^4

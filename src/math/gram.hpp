@@ -8,7 +8,7 @@
 
 namespace burnish {
 
-/// Assignment of the sum to C.
+/// Assignment of the sum: C = sum, C += sum or C = -sum.
 enum class Gram { Set, Add, SetNegative };
 
 /// Row-major matrix in memory: first entry, and distance between rows in entries.
@@ -60,7 +60,7 @@ BURNISH_INLINE void tile(StridedView<const S> a, StridedView<const S> b, std::sp
     }
 }
 
-/// Computes R rows of C, from column j0 up to column j1.
+/// Computes R rows of C from row i on, in the columns from j0 up to, but not including, j1.
 template <Gram mode, int R, class S>
 void tile_row(StridedView<const S> a, StridedView<const S> b, std::span<const int> rows, int i,
               int j0, int j1, StridedView<S> c) {

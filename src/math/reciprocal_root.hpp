@@ -7,8 +7,8 @@
 
 namespace burnish {
 
-/// Returns 1 / sqrt(pivot), or zero if the pivot is weak. With zero, the factorization continues as
-/// if the row of the weak pivot did not exist.
+/// Returns 1 / sqrt(pivot), or zero where the mask `weak` is true. With zero, the factorization
+/// continues as if the row of this pivot did not exist.
 template <class S>
 BURNISH_INLINE S reciprocal_root(const S& pivot, const auto& weak) {
   return S(1.0) / square_root(select(weak, S(std::numeric_limits<double>::infinity()), pivot));

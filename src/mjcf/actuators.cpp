@@ -64,7 +64,7 @@ double largest_force(const Item& item, Reading& reading) {
   return force;
 }
 
-/// Sums of the largest torques of all actuators on each joint.
+/// For each joint, the sum of the largest torques of its actuators.
 class Efforts {
  public:
   explicit Efforts(Reading& reading) : reading_(reading), sums_(reading.tree.joints.size(), 0.0) {}
@@ -107,7 +107,7 @@ class Efforts {
   void add_to(std::size_t joint, double factor, const Item& item) {
     has_actuator_ = true;
     const double force = largest_force(item, reading_);
-    // A gear of zero transmits nothing; 0 times an infinite force would not be a number.
+    // A gear of zero transmits nothing, but 0 times an infinite force would give NaN.
     if (factor != 0.0) sums_[joint] += std::abs(factor) * force;
   }
 

@@ -28,7 +28,7 @@ void read_mesh(const Item& item, Reading& reading) {
   if (name.empty()) refuse_at(item.xml(), "it has neither a name nor a file; wanted one of them");
   const Part& part = reading.part_of(item.xml());
   if (part.compiler.strip_paths) file = file.filename();
-  // An absolute path stays absolute.
+  // If `file` is an absolute path, the operator / ignores the folders.
   if (!stated.empty()) mesh.file = (part.folder / part.compiler.mesh_folder / file).string();
   if (const auto scale = item.numbers("scale", 3))
     mesh.scale = Eigen::Vector3d((*scale)[0], (*scale)[1], (*scale)[2]);

@@ -15,7 +15,7 @@ namespace {
 using Eigen::Isometry3d;
 using Eigen::Vector3d;
 
-constexpr int max_nesting = 1000;  // Nested elements, chosen by hand
+constexpr int max_nesting = 1000;  // Largest depth of nested elements; chosen by hand
 
 /// Element of a body, with its default class and the placement of its enclosing <frame>.
 struct Within {
@@ -256,7 +256,7 @@ ReadJoint read_joint(const Within& within, const std::string& body, Reading& rea
   return read;
 }
 
-/// Returns the transform from a joint's pose at its reference position to its pose at zero.
+/// Returns the motion of a joint from its reference position to position zero.
 Isometry3d back_from_reference(const ReadJoint& joint) {
   Isometry3d back = Isometry3d::Identity();
   if (joint.spec.type == JointType::Revolute)
@@ -395,7 +395,7 @@ void read_body(const Child& child, const std::string& parent, bool moves, int de
   for (const Child& below : contents.bodies) read_body(below, name, moves, depth + 1, reading);
 }
 
-/// Reserves the names in the file before the reader generates names.
+/// Reserves all names in the file, so that the reader generates different names.
 void take_names(const XMLElement& element, int depth, Reading& reading) {
   if (depth > max_nesting) return;  // The reader rejects the element later
   for (const XMLElement* child : reading.source.children(element)) {

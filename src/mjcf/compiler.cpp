@@ -10,7 +10,7 @@
 namespace burnish::mjcf {
 namespace {
 
-constexpr double min_length = 1e-14;  // Shorter vectors count as zero
+constexpr double min_length = 1e-14;  // Length below which a vector counts as zero
 
 Eigen::Vector3d direction(const std::vector<double>& values, std::size_t first, const char* what,
                           const XMLElement& stating) {

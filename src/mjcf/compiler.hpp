@@ -22,10 +22,10 @@ struct Compiler {
   /// Whether mesh inertia is exact by default (an attribute of files before MuJoCo 3.2.5)
   bool exact_meshes = false;
   InertiaFromGeom inertia_from_geom = InertiaFromGeom::Auto;
-  double min_mass = 0.0;                ///< [kg]
-  double min_inertia = 0.0;             ///< [kg m^2]
+  double min_mass = 0.0;                ///< Smallest mass of a body [kg]
+  double min_inertia = 0.0;             ///< Smallest principal moment of a body [kg m^2]
   double total_mass = -1.0;             ///< Prescribed total mass [kg]; not positive: no scaling
-  int first_group = 0, last_group = 5;  ///< Groups of geoms that have a mass
+  int first_group = 0, last_group = 5;  ///< First and last group of geoms with mass
   std::string mesh_folder;              ///< Folder of meshes, from `meshdir`, else from `assetdir`
 
   /// Reads a <compiler> element. Throws Error for global coordinates and for unknown values.

@@ -124,8 +124,8 @@ class SpatialTendons {
 
 // ---- Couplings of joints
 
-/// Returns the coupling y - y0 = a0 + a1 (x - x0), with references x0 and y0: y = a1 x + a0 + y0 -
-/// a1 x0.
+/// Returns the coupling of a follower's position y to its leader's position x. The reference
+/// positions are x0 and y0: y - y0 = a0 + a1 (x - x0).
 MimicSpec coupling(const std::string& leader, double a0, double a1, double x0, double y0) {
   return {leader, a1, a0 + y0 - a1 * x0};
 }
@@ -214,7 +214,7 @@ void couple(const Item& item, Reading& reading) {
   if (!second.mimic && !is_led_by(leader, follower, xml, reading)) {
     second.mimic = forwards;
   } else if (!first.mimic && !is_led_by(follower, leader, xml, reading)) {
-    // x - x0 = (y - y0 - a0) / a1
+    // The inverse coupling, with y as leader: x - x0 = (y - y0 - a0) / a1.
     first.mimic = coupling(follower, -a[0] / a[1], 1.0 / a[1], y0, x0);
   } else {
     reading.warning_notes.note("couplings of joints that are coupled already are ignored",
@@ -277,9 +277,9 @@ Isometry3d at_point(const std::vector<double>& p) {
   return placement;
 }
 
-/// Returns the pose `relpose` in the first body; nothing if it states no rotation. MuJoCo holds the
-/// anchor, a point of the second body, at the pose's position, and the axes of the second body at
-/// the pose's rotation.
+/// Returns the pose `relpose` in the first body's frame; nothing if its quaternion is zero. MuJoCo
+/// holds the anchor, a point of the second body, at the position of this pose. The axes of the
+/// second body are held at the rotation of this pose.
 std::optional<Isometry3d> stated_pose(const Item& item) {
   const auto pose = item.numbers("relpose", 7);
   const bool is_stated =
@@ -312,7 +312,7 @@ void close_loop(const Item& item, bool is_weld, Reading& reading) {
     const Isometry3d drawn = reading.link_at_start.at(loop.first_link).inverse() *
                              reading.link_at_start.at(loop.second_link);
     const Isometry3d at = at_point(anchor.value_or(std::vector<double>(3, 0.0)));
-    // The anchor is a point of the first body; for a weld, a point of the second body.
+    // The anchor of a weld is a point of the second body; other anchors belong to the first body.
     loop.first = is_weld ? stated_pose(item).value_or(drawn * at) : at;
     loop.second = is_weld ? at : drawn.inverse() * at;
   }

@@ -150,7 +150,7 @@ void copy_naming_elements(NamesByKind copied, const std::vector<Renaming>& renam
   }
 }
 
-/// Removes the elements that refer to an original in `gone`, because only its copies are left.
+/// Removes tendons, equalities and actuators that refer to the deleted elements `gone`.
 void drop_naming_elements(NamesByKind gone, Part& part, Reading& reading) {
   for (const std::string section : naming_sections) {
     Elements& elements = part.elements[section];

@@ -21,7 +21,7 @@ struct GeomSource {
   std::string type;
   std::optional<Primitive> primitive;
   std::string mesh;
-  Isometry3d placement = Isometry3d::Identity();  // In the body
+  Isometry3d placement = Isometry3d::Identity();  // Pose in the body's frame
   Solid solid;
   int group = 0;
   std::optional<double> mass;
@@ -104,7 +104,7 @@ MeshAsset* mesh_of(const GeomSource& geom, Reading& reading) {
             "mesh " + in_quotes(geom.mesh) + " does not exist" + did_you_mean(geom.mesh, known));
 }
 
-/// Opens the mesh, at most once.
+/// Reads the mesh's file, unless an earlier call has read it.
 void open(MeshAsset& mesh, Reading& reading) {
   if (mesh.was_opened) return;
   mesh.was_opened = true;

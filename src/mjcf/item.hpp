@@ -32,7 +32,7 @@ class DefaultClasses {
   void read(const XMLElement& section, Source& source);
 
   /// Reads the <default>s of another model, whose classes are already renamed. `main` becomes a
-  /// second name of its outermost class. The classes do not inherit from the classes of this model.
+  /// second name of that model's outermost class. No class inherits from the main model's classes.
   void attach(const std::string& main, const std::vector<const XMLElement*>& sections,
               Source& source);
 
@@ -59,7 +59,7 @@ class Item {
   const DefaultClass* defaults() const { return defaults_; }
   std::string name() const { return text("name").value_or(""); }
 
-  /// Returns the element that states an attribute, or nullptr.
+  /// Returns the element (own or of a class) that states an attribute; nullptr if there is none.
   const XMLElement* stating(const char* attribute) const;
   std::optional<std::string> text(const char* attribute) const;
 

@@ -8,7 +8,7 @@
 namespace burnish::mjcf {
 namespace {
 
-/// Returns whether postures have a value for the joint: it is neither held nor a follower.
+/// Returns whether the joint is neither held nor a follower. Postures list only such joints.
 bool moves_by_itself(const JointSpec& joint) {
   return joint.type != JointType::Fixed && !joint.mimic;
 }

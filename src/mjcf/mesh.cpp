@@ -20,7 +20,7 @@ using Eigen::Vector3d;
 
 static_assert(std::endian::native == std::endian::little, "mesh files are little-endian");
 
-constexpr std::size_t max_vertices = 5'000'000;  // Also limits the faces; chosen by hand
+constexpr std::size_t max_vertices = 5'000'000;  // Limit of vertices and of faces; chosen by hand
 
 /// Reader of consecutive numbers in a binary file.
 class Bytes {
@@ -179,11 +179,11 @@ Triangles from_msh(const std::string& bytes, const std::string& source) {
   return mesh;
 }
 
-/// Contribution of one face: the tetrahedron between the face and the origin, or the face itself.
+/// Integrals over the tetrahedron between a face and the origin; for a shell, over the face.
 struct Piece {
-  double measure;  // [m^3] or [m^2], with a sign
+  double measure;  // Signed volume [m^3], or area of a shell's face [m^2]
   Vector3d centre;
-  Eigen::Matrix3d second_moment;  // Integral of x x^T
+  Eigen::Matrix3d second_moment;  // Integral of x x^T over all points x
 };
 
 Piece piece_of(const Vector3d& a, const Vector3d& b, const Vector3d& c, MeshInertia how) {

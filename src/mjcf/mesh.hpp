@@ -28,9 +28,9 @@ Triangles parse_triangles(const std::string& bytes, const std::string& ending,
 
 /// Method for the inertia of a mesh.
 enum class MeshInertia {
-  Legacy,  ///< Sum of tetrahedra from the centroid to each triangle, whatever its orientation
-  Exact,   ///< Enclosed volume
-  Shell,   ///< Surface
+  Legacy,  ///< Sum of the absolute volumes of tetrahedra from the centroid to each triangle
+  Exact,   ///< Mass fills the enclosed volume
+  Shell,   ///< Mass lies on the surface
 };
 
 /// Returns mass, centre of mass and inertia in the mesh's axes for density 1 kg/m^3 (1 kg/m^2 for

@@ -26,7 +26,7 @@ struct MeshAsset {
   const XMLElement* xml = nullptr;
   std::string file;  ///< Relative to the main file's folder; empty: the mesh does not have a file
   Eigen::Vector3d scale = Eigen::Vector3d::Ones();
-  /// Pose in the file that becomes the origin of the mesh, before the mesh is scaled
+  /// Pose in the axes of the file that becomes the frame of the mesh; applied before `scale`
   Eigen::Isometry3d reference = Eigen::Isometry3d::Identity();
   MeshInertia inertia = MeshInertia::Legacy;
   bool is_hull = false;  ///< The file asks for the inertia of the convex hull
@@ -71,7 +71,7 @@ using Sections = std::map<std::string, std::vector<const XMLElement*>, std::less
 /// A model: the main model or an attached one.
 struct Part {
   Compiler compiler;
-  std::filesystem::path folder;  ///< Folder of its file, relative to the folder of the main file
+  std::filesystem::path folder;  ///< Folder of the part's file, relative to the main file's folder
   Sections sections;
   /// Tendons, equalities and actuators by section. Copying a body, joint, geom or site adds copies
   /// of the elements that refer to it.
@@ -100,7 +100,7 @@ struct Reading {
   std::set<std::pair<const XMLElement*, std::string>> attached;  ///< Root and prefix of each model
   bool has_composed = false;  ///< A <composite> or <flexcomp> exists, whose bodies are not read
   int expanding_depth = 0;
-  /// <attach> and <replicate> elements that are already expanded
+  /// <attach> and <replicate> elements whose expansion has begun
   std::set<const XMLElement*> expanding;
 
   Reading(const std::string& xml, const std::string& name,

@@ -15,9 +15,9 @@ Vector3d about_z(double across, double along) { return {across, across, along}; 
 /// others(h^2) / 3 are the moments divided by the mass.
 Vector3d others(const Vector3d& x) { return Vector3d::Constant(x.sum()) - x; }
 
-/// Moments of the two caps (half spheres, filled or hollow) of a solid, divided by its mass. Each
-/// cap is moved outwards by h along z. `fraction`: caps' fraction of the mass. `own`: moment of the
-/// sphere divided by its mass. `lever`: distance of a cap's centre of mass from its cut.
+/// Moments of a capsule's two caps (half spheres, filled or hollow), divided by the capsule's mass.
+/// Each cap is moved outwards by h along z. `fraction`: mass of the caps / mass of the capsule.
+/// `own`: moment of a sphere / its mass. `lever`: distance of a cap's centre of mass from its cut.
 Vector3d caps(double fraction, double own, double lever, double h) {
   const double out = h + lever;
   return fraction * about_z(own + out * out - lever * lever, own);
@@ -26,11 +26,11 @@ Vector3d caps(double fraction, double own, double lever, double h) {
 Vector3d capsule(const Solid& solid) {
   const double r = solid.size[0], h = solid.size[1], r2 = r * r;
   if (solid.is_shell) {
-    const double fraction = 2.0 * r / (2.0 * r + 2.0 * h);  // Areas 4 pi r^2 and 2 pi r 2 h
+    const double fraction = 2.0 * r / (2.0 * r + 2.0 * h);  // Caps 4 pi r^2, wall 4 pi r h
     return caps(fraction, 2.0 * r2 / 3.0, 0.5 * r, h) +
            (1.0 - fraction) * about_z(0.5 * r2 + h * h / 3.0, r2);
   }
-  const double fraction = 4.0 * r / (4.0 * r + 6.0 * h);  // Volumes 4/3 pi r^3 and pi r^2 2 h
+  const double fraction = 4.0 * r / (4.0 * r + 6.0 * h);  // Caps 4/3 pi r^3, wall 2 pi r^2 h
   return caps(fraction, 0.4 * r2, 0.375 * r, h) +
          (1.0 - fraction) * about_z(0.25 * r2 + h * h / 3.0, 0.5 * r2);
 }
@@ -38,7 +38,7 @@ Vector3d capsule(const Solid& solid) {
 Vector3d cylinder(const Solid& solid) {
   const double r = solid.size[0], h = solid.size[1], r2 = r * r;
   if (!solid.is_shell) return about_z(0.25 * r2 + h * h / 3.0, 0.5 * r2);
-  const double lids = r / (r + 2.0 * h);  // Areas 2 pi r^2 and 2 pi r 2 h
+  const double lids = r / (r + 2.0 * h);  // Areas: lids 2 pi r^2, wall 4 pi r h
   return lids * about_z(0.25 * r2 + h * h, 0.5 * r2) +
          (1.0 - lids) * about_z(0.5 * r2 + h * h / 3.0, r2);
 }

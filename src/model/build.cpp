@@ -21,7 +21,7 @@ namespace {
 
 constexpr double infinity = std::numeric_limits<double>::infinity();
 
-/// Link on the stack of the walk, given by the joint above it.
+/// Link that the walk has yet to place.
 struct Pending {
   const JointSpec* joint;            ///< Joint above the link, nullptr for the root link
   int body;                          ///< Body of the parent link

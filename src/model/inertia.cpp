@@ -19,7 +19,7 @@ Eigen::Matrix3d of_unit_mass(const Eigen::Vector3d& x) {
 
 /// Slack of the triangle inequalities of principal moments.
 struct Slack {
-  double smallest;        ///< Smallest slack, or smallest moment if less [kg m^2]
+  double smallest;        ///< Smallest slack, or smallest moment if that is less [kg m^2]
   double largest_moment;  ///< Largest absolute value of a principal moment [kg m^2]
 };
 Slack slack_of(const Eigen::Matrix3d& inertia_at_com) {

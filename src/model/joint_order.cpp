@@ -86,7 +86,7 @@ bool normalise(JointKind kind, VectorXd& x) {
 double distance(JointKind kind, const VectorXd& x, const VectorXd& y) {
   if (unit_entries(kind) != 4) return (x - y).norm();
   VectorXd opposite = x;
-  opposite.tail<4>() *= -1.0;  // the same rotation
+  opposite.tail<4>() *= -1.0;  // the negative quaternion is the same rotation
   return std::min((x - y).norm(), (opposite - y).norm());
 }
 

@@ -29,7 +29,7 @@ const JointSpec& find_joint(const Locking& locking, const std::string& name,
 bool follows_one_of(const Locking& locking, const JointSpec& joint,
                     const std::set<std::string>& leaders) {
   const JointSpec* at = &joint;
-  // The number of steps is limited, because followers may form a cycle; Courses rejects it later.
+  // Limits the number of steps, because followers may form a cycle. Courses later rejects cycles.
   for (std::size_t steps = 0; steps < locking.tree.joints.size(); ++steps) {
     if (!moves(*at) || !at->mimic) return false;
     at = &named_leader(locking.tree, locking.joint_by_name, *at);

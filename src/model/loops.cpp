@@ -104,7 +104,7 @@ LoopDistance loop_distance(const Directions& directions, const Eigen::Isometry3d
 
 std::string LoopDistance::text() const {
   const std::string length = number(1e3 * translation) + " mm";
-  constexpr double negligible = 1e-6;  // messages omit errors below; chosen by hand [rad, m]
+  constexpr double negligible = 1e-6;  // messages omit smaller errors; chosen by hand [rad, m]
   if (rotation < negligible) return length;
   const std::string angle = number(degrees_per_radian * rotation) + " degrees";
   return translation < negligible ? angle : length + " and " + angle;

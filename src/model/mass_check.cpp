@@ -86,8 +86,8 @@ Eigen::Isometry3d generic_placement(const Joint& joint, std::size_t index) {
 
 /// Inertia along the directions of a joint.
 struct JointInertia {
-  Square inertia;             ///< S^T A S + armature, with all joints beyond it free to move
-  Square carried;             ///< Inertia with all joints beyond it rigid
+  Square inertia;             ///< S^T A S + armature, if all joints beyond can move
+  Square carried;             ///< Inertia if all joints beyond are locked
   SymmetricEigen decomposed;  ///< Eigenvalues and eigenvectors of `inertia`
 
   JointInertia(Square articulated, Square rigid)
@@ -178,7 +178,7 @@ void check_inertia_along_joints(const Model& model, Findings& findings) {
   Oddities oddities;
   for (std::size_t i = model.joints.size(); i-- > 0;) {
     const Joint& joint = model.joints[i];
-    Matrix6d transmitted = articulated[i];  // to the parent
+    Matrix6d transmitted = articulated[i];  // inertia that the parent feels
     bool finite = articulated[i].allFinite() && composite[i].allFinite();
     if (!joint.follows) {  // a follower does not move by itself
       const JointAxes along = directions_of(joint.kind);

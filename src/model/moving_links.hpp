@@ -23,7 +23,7 @@ struct MovingLinks {
   int joints_in_a_subtree = 0;    ///< Largest number of moving joints in a subtree of the world
   double mass = 0.0;              ///< Sum of the masses [kg]
   double skeleton = 0.0;          ///< Reach of joints and shapes from the first joint [m]
-  double reach = 0.0;  ///< Reach including centres of mass, except those that are far off [m]
+  double reach = 0.0;  ///< `skeleton`, extended to centres of mass that are not far off [m]
 
   /// Returns true if the link's centre of mass is farther than 5 times `skeleton` from its origin.
   bool is_far_off(const MovingLink& link) const;

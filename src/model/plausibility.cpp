@@ -91,7 +91,7 @@ void check_angles(const TreeSpec& tree, Findings& findings) {
 }
 
 void check_velocities(const TreeSpec& tree, Findings& findings) {
-  constexpr double fastest = 60.0;      // largest plausible limit; correct files have 52 [rad/s]
+  constexpr double fastest = 60.0;      // largest plausible limit; correct files: up to 52 [rad/s]
   constexpr double unlimited = 5000.0;  // larger values stand for "unlimited" [rad/s]
   const Suspects degrees = suspects(tree, [](const JointSpec& joint) -> std::optional<bool> {
     if (!std::isfinite(joint.velocity_limit)) return std::nullopt;
@@ -125,7 +125,7 @@ Moments moments_of(const InertiaSpec& inertia) {
 /// Warns of moving links without mass. check_inertia_along_joints() reports joints that move no
 /// mass.
 void check_zero_masses(const MovingLinks& robot, Findings& findings) {
-  constexpr double negligible = 1e-6;  // moment, relative to mass times reach squared of the robot
+  constexpr double negligible = 1e-6;  // moment, divided by the robot's mass * reach^2
   std::vector<std::string> all, hollow;
   bool has_armature = false;
   for (const MovingLink& link : robot.links) {
@@ -194,8 +194,8 @@ double least_density(const InertiaSpec& inertia) {
 /// Warns if most links are denser than metal, or if links of absurd density have half of the mass.
 /// In correct files most links have at most 2,800 kg/m^3, and some have a placeholder inertia.
 void check_small_inertias(const MovingLinks& robot, Findings& findings) {
-  constexpr double densest = 2e5;  // osmium has 22,600; compact links can exceed it [kg/m^3]
-  constexpr double absurd = 5e8;   // bases with a placeholder in correct files have 5e7 [kg/m^3]
+  constexpr double densest = 2e5;  // osmium has 22,600, which compact links can exceed [kg/m^3]
+  constexpr double absurd = 5e8;   // placeholder inertias in correct files give 5e7 [kg/m^3]
   constexpr std::size_t min_count = 2;  // a single link may have a placeholder
   const LinkSpec* worst = nullptr;
   std::size_t seen = 0, dense = 0;
@@ -266,8 +266,8 @@ struct Efforts {
 };
 
 void check_efforts(const MovingLinks& robot, const ModelOptions& options, Findings& findings) {
-  // The largest effort limit in a correct file is 0.01 to 20 times the torque of the robot's
-  // weight. Powers of ten, which often mean "unknown", are exempt.
+  // The largest effort limit in a correct file is 0.01 to 20 times the robot's weight * reach.
+  // Powers of ten, which often mean "unknown", are exempt.
   constexpr double strongest = 50.0, weakest = 0.003;
   // One joint in four suffices for a warning, because most joints can belong to weak fingers.
   constexpr std::size_t joints_per_strong = 4;
@@ -297,7 +297,7 @@ void check_efforts(const MovingLinks& robot, const ModelOptions& options, Findin
 }
 
 void check_armatures(const MovingLinks& robot, Findings& findings) {
-  constexpr double largest = 10.0;  // relative to the robot's inertia or mass; chosen by hand
+  constexpr double largest = 10.0;  // armature / (robot's inertia or mass); chosen by hand
   for (const MovingLink& link : robot.links) {
     const JointSpec* joint = link.joint;
     if (joint == nullptr || joint->armature <= 0.0) continue;
@@ -355,8 +355,8 @@ void check_plausibility(const TreeSpec& tree, const ModelOptions& options, Findi
   check_light_links(robot, findings);
   check_armatures(robot, findings);
   check_slides(robot, findings);
-  // A pendulum or a mass on slides may have any size.
-  constexpr int min_count = 3;  // joints, and links with a mass
+  // Robots with fewer joints, such as a pendulum or a mass on slides, may have any size.
+  constexpr int min_count = 3;  // of joints, and of links with a mass
   const auto massive = std::count_if(robot.links.begin(), robot.links.end(), [](const auto& link) {
     return link.link->inertia.mass > 0.0;
   });

@@ -24,7 +24,7 @@ void check_size(Eigen::Index size, int wanted, std::string_view argument) {
               " entries; wanted " + std::to_string(wanted));
 }
 
-/// Terms (1 - cos t) / t^2 and (t - sin t) / t^3 of the exponential map, smooth at zero.
+/// Terms (1 - cos t) / t^2 and (t - sin t) / t^3 of the exponential map at angle t; smooth at 0.
 struct ExpTerms {
   double first, second;
 };

@@ -122,7 +122,7 @@ TreeSpec with_held_tendons(const TreeSpec& tree, const ModelOptions& options) {
                        ", but neither joint can follow the other; wanted at least one joint "
                        "that follows no joint, and both joints locked or both free");
     }
-    // c_0 q_0 + c_1 q_1 = rest
+    // The tendon keeps its length: c_0 q_0 + c_1 q_1 = rest.
     changed.at(parts[1].joint)->mimic =
         MimicSpec{parts[0].joint, -parts[0].coefficient / parts[1].coefficient,
                   held.rest / parts[1].coefficient};

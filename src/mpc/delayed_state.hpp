@@ -11,9 +11,9 @@ namespace burnish {
 
 struct Tree;
 
-/// Prediction of the state in which the next command acts, which is lead() after the command is
-/// sent. The prediction starts at the measured state and integrates the dynamics with the torques
-/// already sent. Without delays, the predicted state is the measured state.
+/// Prediction of the state in which the next command acts, lead() seconds after it is sent. The
+/// prediction starts at the measured state and integrates the dynamics with the torques already
+/// sent. Without delays, the predicted state is the measured state.
 class DelayedState {
  public:
   /// `stale`: longest time without a measurement for which a state is predicted [s].

@@ -85,7 +85,7 @@ bool Holding::compute_free_inertia(const Eigen::VectorXd& q) noexcept {
 
 /// Computes holding torques and inertia of a closed mechanism, such as a robot on its feet. The
 /// acceleration of the mechanism is a = a_0 + A tau. The block A_aa of A belongs to the actuated
-/// entries of v. They have the effective inertia A_aa^-1, and the torque -A_aa^-1 a_0 holds them.
+/// entries of v. Their effective inertia is A_aa^-1, and the torque -A_aa^-1 a_0 holds them.
 /// With more motors than degrees of freedom, A_aa is singular. A regularized inverse then leaves
 /// out torques that balance each other: D^-1/2 B (B B + e^2)^-1 D^-1/2, with the diagonal D of
 /// A_aa, B = D^-1/2 A_aa D^-1/2 and a small number e.
@@ -187,8 +187,8 @@ void Holding::torque(const Eigen::VectorXd& q, const Eigen::VectorXd& v, bool fr
   if (failed_ >= 0) tau[failed_] = 0.0;
 }
 
-/// Computes the spring torque in pull_. The rest position of the spring slips so that torque limits
-/// are kept. Returns false if the spring is off.
+/// Sets pull_ to the spring torque. If the torque would exceed its limit, the rest position of the
+/// spring slips towards q. Returns false if the spring is off.
 bool Holding::update_spring(const Eigen::VectorXd& q, bool fresh) noexcept {
   if (blind_for_ > bridged_) holding_ = false;
   if (!holding_ && fresh) {

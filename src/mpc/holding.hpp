@@ -16,10 +16,10 @@ struct HoldingSpec {
   Eigen::VectorXd q_start;  ///< Configuration until the first valid measurement.
   Fallback fallback;
   double tick_period;  ///< Time between ticks [s].
-  double bad;          ///< SafetyLimits::bad [s].
+  double bad;          ///< Longest time with invalid measurements (SafetyLimits::bad) [s].
   std::vector<ContactSpec>
       supports;              ///< Contacts that hold the robot in every stage, except loops.
-  std::vector<int> sensors;  ///< Column of each support in the wrenches; -1: no sensor.
+  std::vector<int> sensors;  ///< Column of each support in wrenches of torque(); -1: no sensor.
   std::vector<SoleLimits::Sole> soles;  ///< Soles of the supports with sensors.
 };
 
@@ -34,8 +34,8 @@ class Holding {
   /// Marks a motor as failed until reset(). `entry`: entry of v that the motor drives; -1: no
   /// failed motor.
   void set_failed_motor(int entry) noexcept { failed_ = entry; }
-  /// Releases the spring. The next call of torque() holds the configuration that the robot then
-  /// has.
+  /// Releases the spring. Its new rest configuration is the measured configuration at the next call
+  /// of torque().
   void release() noexcept { holding_ = false; }
   /// Sets `tau` (nv) [Nm or N] to the holding torque at q and v, or to zero if the dynamics cannot
   /// be evaluated. `fresh`: true if q and v were measured at this tick. `wrenches`:

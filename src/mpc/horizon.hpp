@@ -25,7 +25,7 @@ class Horizon {
   int stage_at(double schedule_time) const noexcept;
 
   /// Sets stage, time and targets of one knot (place_knot) or of all knots (place). If knots have
-  /// different lengths, place() moves knots to nearby changes of phase. With fixed knots, a contact
+  /// different lengths, place() moves knots to nearby phase changes. If knots were fixed, a contact
   /// could begin late by the length of a knot. Exceptions from functions in targets are passed on.
   void place_knot(int knot, double schedule_time);
   void place(double schedule_time);

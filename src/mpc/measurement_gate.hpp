@@ -38,7 +38,7 @@ class MeasurementGate {
   bool is_first() const { return first_; }  ///< True if this measurement is the first valid one.
   double dt() const {
     return dt_;
-  }  ///< Time since the previous valid measurement; 0 at the first and at invalid ones [s].
+  }  ///< Time since the previous valid measurement; 0 for first or invalid measurements [s].
   double now() const { return now_; }  ///< Time of this tick [s].
   const Measurement& last() const { return last_; }
   /// State of the robot at the last valid measurement, with the contacts of the specification.

@@ -225,7 +225,7 @@ void MpcController::Impl::update_surface() noexcept {
     gradient = base_world.linear() * surface->gradient(base_world.inverse() * p_tool_world);
   }
   const double length = gradient.norm();
-  // The surface has no normal at this position, so the previous one is kept.
+  // Keeps the previous normal if the surface has none at this position.
   if (!(length > 1e-9)) return;
   command_.normal_world = gradient / length;
   error.set_surface(*surface, command_.normal_world);
@@ -334,7 +334,7 @@ void MpcController::Impl::finish_plan() noexcept {
     command_.active_constraints = summary.active_constraints;
     command_.constraints_infeasible =
         summary.unsatisfiable_rows > 0 || summary.reason == StopReason::Infeasible;
-    // The first plan is computed while the robot is held, so its computing time does not count.
+    // The computation of the first plan takes no simulated time, because the robot is held.
     const bool takes_time = spec.timing == PlanTiming::Measured && !request_.first;
     const double done = request_.now + (takes_time ? took : 0.0);
     const double begin = request_.first ? gate.now() : request_.now + request_.delay;
@@ -346,7 +346,7 @@ void MpcController::Impl::finish_plan() noexcept {
     next_.jumped = next_.jumped || request_.jumped;
   }
   if (!request_.first) {
-    constexpr double forgetting = 0.05;  // weight of a new computing time in the moving average
+    constexpr double forgetting = 0.05;  // weight of a new duration in the moving average
     const bool in_thread = spec.timing == PlanTiming::Thread;
     const double seen = in_thread ? gate.now() - request_.now : took;
     const double mean = expected_ + forgetting * (seen - expected_);

@@ -61,8 +61,8 @@ struct MpcController::Impl {
   void keep_exception() noexcept;
   const Eigen::VectorXd& measured_state() noexcept;
   const Eigen::VectorXd& acting_state() noexcept;
-  /// Returns the time at which the command of this tick acts [s]. Plans come into use at the time
-  /// at which a command acts.
+  /// Returns the time at which the command of this tick acts [s]. A plan that starts at or before
+  /// this time can come into use.
   double acting_time() const noexcept { return gate.now() + ahead_.lead(); }
 
   int ticks_per_update_;
@@ -97,8 +97,8 @@ struct MpcController::Impl {
   /// Result of a request.
   struct PlanResult {
     bool usable = false;
-    bool warm = false;  ///< PlanRequest::warm of the next plan.
-    double took = 0.0;  ///< Computing time [s].
+    bool warm = false;  ///< Value of PlanRequest::warm for the next plan.
+    double took = 0.0;  ///< Duration of the computation [s].
     std::exception_ptr thrown = {};
   };
   PlanLife life_;
@@ -110,7 +110,7 @@ struct MpcController::Impl {
   PlanResult result_;
   Policy in_use_;  ///< Copy of the policy in use when the computation started.
   Payloads payloads_;
-  double expected_;  ///< Expected computing time of a plan [s].
+  double expected_;  ///< Expected duration of the computation of a plan [s].
   /// With PlanTiming::Measured: simulated time at which the computation of the previous plan ends
   /// [s].
   double busy_until_ = -std::numeric_limits<double>::infinity();
@@ -123,7 +123,7 @@ struct MpcController::Impl {
   MotorWatch motors_;
   BlackBox black_box_;
   std::vector<WatchedQuantity> watched_;
-  std::vector<Reading> readings_;  ///< Readings of the quantities in watched_.
+  std::vector<Reading> readings_;  ///< Present values of the quantities in watched_.
   int tool_;                       ///< Frame of the tool; -1: none.
   int base_;                       ///< Frame of the robot that carries the surface; -1: the world.
   Command command_;

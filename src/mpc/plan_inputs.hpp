@@ -53,7 +53,7 @@ class PlanInputs {
  private:
   int surface_, friction_, force_error_, torque_error_;  ///< Indices of inputs; -1: none.
   std::vector<int> support_friction_;
-  Eigen::VectorXd cones_;  ///< Friction in each support's cone; infinite: no cone.
+  Eigen::VectorXd cones_;  ///< Friction coefficient of each support's cone; infinite: no cone.
 };
 
 }  // namespace burnish

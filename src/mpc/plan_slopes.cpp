@@ -14,7 +14,7 @@ namespace {
 constexpr double state_step = 1e-5;   // [rad (m), rad/s (m/s), Nm (N)]
 constexpr double torque_step = 1e-2;  // [Nm (N)]
 
-constexpr int first_iterations = 60;  // iterations from rest; the remaining error is negligible
+constexpr int first_iterations = 60;  // from a guess at rest; the remaining error is negligible
 // Iterations from a nearby solution; one iteration is already almost exact.
 constexpr int next_iterations = 3;
 

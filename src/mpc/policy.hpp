@@ -60,7 +60,7 @@ class Policy {
   double rounding_;  ///< Tolerance of the time at which a plan comes into use [s].
   /// Time of the measurement from which plan_ was computed [s].
   double measured_ = -std::numeric_limits<double>::infinity();
-  double next_measured_ = 0.0;  ///< As measured_, for next_ [s].
+  double next_measured_ = 0.0;  ///< Time of the measurement from which next_ was computed [s].
   double next_time_ = 0.0;      ///< Time at which next_ comes into use [s].
   bool next_ready_ = false;     ///< True if next_ is loaded and not yet in use.
 };

@@ -11,7 +11,7 @@
 namespace burnish {
 namespace {
 
-constexpr double max_step = 5e-4;  // longest step of the plant, the step of simulations [s]
+constexpr double max_step = 5e-4;  // longest step of the plant; simulations use this step [s]
 
 /// Returns the response of a first-order low-pass filter to a unit step after `time` [s]. It is 1
 /// for a cut-off of 0 (no filter).
@@ -160,7 +160,7 @@ void SampledLoop::control(LoopState& s, int tick, double force_gain, Eigen::Matr
   }
 }
 
-/// Advances the plant by one step. The force of the surface is the force at the end of the step.
+/// Advances the plant by one step, with the surface's force at the end of the step (implicit).
 void SampledLoop::move(LoopState& s, const Case& with) const {
   Eigen::MatrixXd torque = s.command;
   if (!s.queue.empty()) {

@@ -29,13 +29,13 @@ struct SampledLoopSpec {
 /// State of the loop between ticks. Each column is one state; all columns are simulated together.
 struct LoopState {
   Eigen::MatrixXd q, v;                   ///< State of the plant.
-  Eigen::MatrixXd q_before, v_measured;   ///< State of the velocity measurement.
-  Eigen::MatrixXd force, force_measured;  ///< Force along the normal.
+  Eigen::MatrixXd q_before, v_measured;   ///< q at the previous tick, and measured velocity.
+  Eigen::MatrixXd force, force_measured;  ///< Contact force along the normal: true, and measured.
   Eigen::MatrixXd v_observed, error;      ///< State of the observer of the model error.
-  Eigen::MatrixXd late;        ///< Torque in the observer, low-pass filtered with the lag.
+  Eigen::MatrixXd late;        ///< Observer's torque, low-pass filtered with time constant `lag`.
   Eigen::MatrixXd plan_error;  ///< Torque error that the plan in use assumes.
   Eigen::MatrixXd command, motor;
-  Eigen::MatrixXd acted, offset;  ///< State of the torque model.
+  Eigen::MatrixXd acted, offset;  ///< Filtered command, and estimated offset of the motor torque.
   /// Commands that have not yet arrived, because of the command delay.
   std::vector<Eigen::MatrixXd> queue;
 

@@ -18,7 +18,7 @@ class SoleLimits {
   struct Sole {
     std::string frame;      ///< Frame of the robot at the middle of the sole.
     int sensor;             ///< Column of MeasurementGate::wrenches().
-    double half_x, half_y;  ///< Half sides [m].
+    double half_x, half_y;  ///< Half sides of the sole [m].
   };
   /// Creates limits for the ankles, which are the joints next to a sole in the configuration `q`.
   /// There are no limits for robots with loops. `stiffness`: Fallback::stiffness.

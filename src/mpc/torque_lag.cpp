@@ -6,7 +6,7 @@
 namespace burnish {
 namespace {
 
-constexpr double resolution = 1e-3;  // difference between two compared lags [s]
+constexpr double resolution = 1e-3;  // difference between successive lags [s]
 constexpr double window = 0.03;      // averaging time of torque differences [s]
 constexpr double usual = 100.0;      // assumed effort limit of unlimited joints [Nm (N)]
 

@@ -32,10 +32,10 @@ class TorqueLag {
   std::vector<int> actuated_;
   Eigen::VectorXd weight_;  ///< Weight of each joint, 1 / (effort limit)^2, nv.
   double tick_period_;
-  int step_;  ///< Difference between two compared lags [ticks].
+  int step_;  ///< Difference between successive compared lags [ticks].
   SentTorques sent_;
-  Eigen::MatrixXd gaps_;  ///< Mean difference for each lag, nv x lags.
-  /// Mean square difference for each lag: over the window, and at this tick.
+  Eigen::MatrixXd gaps_;  ///< Mean torque difference for each lag, nv x lags [Nm or N].
+  /// Weighted sum of squared torque differences for each lag: mean over time, and at this tick.
   Eigen::VectorXd errors_ = Eigen::VectorXd::Zero(lags), now_ = errors_;
   bool started_ = false;
   int best_ = 0;

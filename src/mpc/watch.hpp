@@ -58,9 +58,9 @@ class MotorWatch {
   double lag() const noexcept { return lag_.seconds(); }
 
  private:
-  // Factors on the limit of a dead motor, at once and after `long_dead` [s] (see
-  // SafetyLimits::torque_gap; chosen by hand). With the limit of the shipped tasks, 0.25, the
-  // second is a tenth of the effort limit.
+  // Factors on SafetyLimits::torque_gap for a dead motor: `dead_factor` at once,
+  // `long_dead_factor` after `long_dead` [s]; chosen by hand. The shipped tasks have a torque_gap
+  // of 0.25, so that the lower limit is a tenth of the effort limit.
   static constexpr double dead_factor = 0.6, long_dead_factor = 0.4, long_dead = 0.1;
 
   bool is_dead(int entry) const noexcept;
@@ -70,7 +70,7 @@ class MotorWatch {
   double gap_fraction_;  ///< SafetyLimits::torque_gap.
   Eigen::VectorXd effort_;
   Eigen::VectorXd commanded_;  ///< Mean commanded torque, nv [Nm or N].
-  /// Time since when each motor is dead at a difference beyond the lowest limit, nv [s].
+  /// Time for which each motor has been dead with a torque gap above its lowest limit, nv [s].
   Eigen::VectorXd dead_for_;
   TorqueLag lag_;
   int lost_ = -1;

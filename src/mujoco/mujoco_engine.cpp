@@ -16,8 +16,8 @@ void check(const MujocoPlantOptions& options) {
                [](const std::string& entry) { return "the MuJoCo plant's " + entry; });
 }
 
-/// Returns MuJoCo's geom attributes of a surface. A plane is drawn as a square with this half side
-/// [m]. `place` is the placement of the surface's frame in its body.
+/// Returns MuJoCo's geom attributes of a surface. A plane is drawn as a square with sides of
+/// 2 * `half_side` [m]. `place` is the placement of the surface's frame in its body.
 std::string geom_of(const SurfaceSpec& surface, double half_side, const Eigen::Isometry3d& place) {
   using Kind = SurfaceShape::Kind;
   constexpr double half_length = 5.0;  // of the capsule that represents a cylinder, m
@@ -39,7 +39,7 @@ std::string geom_of(const SurfaceSpec& surface, double half_side, const Eigen::I
       at.translation() = surface.point;
       at.linear() = Reference::surface_with_normal(surface.normal).rotation;
       if (!surface.frame.empty()) {               // MuJoCo's planes cannot move
-        constexpr double half_thickness = 0.002;  // m
+        constexpr double half_thickness = 0.002;  // of the box drawn instead, m
         at.translation() -= half_thickness * at.linear().col(2);
         return "type=\"box\"" + pose_attributes(place * at) + " size=\"" +
                numbers(half_side, half_side, half_thickness) + "\"";
@@ -72,7 +72,7 @@ void check_engine_supports(const SurfaceSpec& surface) {
 /// Returns the points at which MuJoCo connects a loop's frames, in the frames' axes [m]: one point
 /// for a ball joint, two along the free axis for a hinge, three for a rigid connection.
 std::vector<Eigen::Vector3d> points_of(const Loop& loop) {
-  constexpr double arm = 0.1;  // distance of the points, m; chosen by hand
+  constexpr double arm = 0.1;  // distance from the frame's origin, m; chosen by hand
   const Directions held = loop.directions;
   const int turns = (held.has(3) ? 1 : 0) + (held.has(4) ? 1 : 0) + (held.has(5) ? 1 : 0);
   if ((held.bits & Directions::linear().bits) != Directions::linear().bits || turns == 1)
@@ -230,8 +230,8 @@ void load_joint_friction(const Model& model, const Coordinates& coordinates, mjM
   }
 }
 
-/// Sets the equality constraints of followers, which precede the others. Followers accelerate like
-/// their leaders; the plant corrects their positions after steps. Returns the number of followers.
+/// Sets the equality constraints of followers, which precede those of loops. Followers accelerate
+/// like their leaders; the plant corrects positions after steps. Returns the number of followers.
 int load_followers(mjModel& m) {
   constexpr mjtNum d = mjMAXIMP;
   int i = 0;
@@ -287,7 +287,7 @@ Engine::Engine(const Model& robot, const SceneSpec& wanted, const MujocoPlantOpt
 }
 
 void Engine::stiffen_equalities() const {
-  // At MuJoCo's largest impedance, the error is 1e-4 of the acceleration. This scale reduces it.
+  // At MuJoCo's largest impedance, the error is 1e-4 of the acceleration. The scale makes it 1e-8.
   constexpr mjtNum compliance_scale = 1e-4;
   for (int row = 0; row < d->nefc; ++row) {
     if (d->efc_type[row] != mjCNSTR_EQUALITY) continue;

@@ -69,14 +69,14 @@ class MujocoPlant final : public Plant {
   int readings_size() const { return 1 + engine_.model.nv + static_cast<int>(wrenches_.size()); }
 
   Engine engine_;
-  std::map<Eigen::Index, ExactContact> exact_;  ///< Touches that MuJoCo does not compute
+  std::map<Eigen::Index, ExactContact> exact_;  ///< Contacts that MuJoCo does not compute
   long steps_ = 0;
   Eigen::VectorXd q_, v_;
   Eigen::VectorXd friction_;
   Springs springs_;
   Eigen::VectorXd spring_torque_;  ///< Torques of springs at the start of the step [Nm or N]
   Eigen::VectorXd total_;          ///< Torques of motors and springs [Nm or N]
-  Eigen::VectorXd theirs_;         ///< Friction in MuJoCo's entries
+  Eigen::VectorXd theirs_;         ///< Damping and friction torques, in MuJoCo's entries
   Wrenches wrenches_;
   Eigen::VectorXd before_;  ///< State of MuJoCo before a step, see store_moment()
 };

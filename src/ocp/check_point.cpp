@@ -17,7 +17,7 @@ constexpr double max_angle = std::numbers::pi - 0.1;
 /// check_units().
 constexpr double difference_step = 2e-4;
 
-/// Returns the lower bound of the scale of relative errors: a thousandth of the largest value.
+/// Returns the smallest divisor of relative errors: a thousandth of the largest value.
 double floor_of(const Eigen::VectorXd& values) {
   return std::max(1e-9, 1e-3 * (values.size() == 0 ? 0.0 : values.cwiseAbs().maxCoeff()));
 }
@@ -51,7 +51,7 @@ Eigen::MatrixXd dense_dynamics(const StateShape& shape, const KnotExpansion& kno
 }  // namespace
 
 Eigen::VectorXd check_units(const Problem& problem, int nu) {
-  constexpr double usual_torque = 200.0, usual_force = 200.0;  // Nm, N: robot of 20 kg and 1 m
+  constexpr double usual_torque = 200.0, usual_force = 200.0;  // robot of 20 kg, 1 m [Nm, N]
   const StateLayout& l = problem.layout();
   const CheckUnits units(problem.model());
   const auto torque = [&](int i) { return units.torque[l.actuated[to_size(i)]] / usual_torque; };

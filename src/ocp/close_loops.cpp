@@ -31,8 +31,8 @@ std::vector<const Joint*> driven_joints(const Model& model, const ActuationSpec&
   if (!actuation.joints.empty()) return result;
   for (const Joint& joint : model.joints) {
     if (joint.kind == JointKind::FreeFlyer || joint.follows) continue;
-    // In a robot with loops, a joint without effort has no motor. In other robots, an effort of
-    // zero often means that the description states no limit.
+    // In a robot with loops, a joint with an effort limit of zero has no motor. In other robots, a
+    // limit of zero often means that the description states no limit.
     const auto effort = model.effort_limit.segment(joint.v_index, joint.nv);
     if (!model.loops.empty() && effort.isZero(0.0)) continue;
     result.push_back(&joint);

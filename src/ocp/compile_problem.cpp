@@ -63,8 +63,8 @@ std::vector<ForceState> compile_force_states(const ProblemSpec& spec, const Cont
 }
 
 StateShape make_shape(const StateLayout& layout, const std::vector<TangentBlock>& blocks) {
-  // Force states count as filtered torques, because an impact changes neither. With force states,
-  // stages other than impacts are linearized as DynamicsForm::Dense.
+  // Impacts change neither force states nor filtered torques, so both are counted together. With
+  // force states, stages other than impacts are linearized as DynamicsForm::Dense.
   StateShape shape{layout.nx(), layout.ndx(), layout.nv, layout.filtered + layout.force_states, {}};
   for (const TangentBlock& block : blocks) shape.blocks.push_back({block.first, block.size});
   return shape;
@@ -104,7 +104,7 @@ void check_torque_model(const std::optional<TorqueModel>& model) {
                 " rad/s; wanted a positive number");
 }
 
-/// Returns the remaining fraction of a torque error after `time` [s].
+/// Returns the fraction of a torque error that remains after `time` [s].
 double decay_after(const TorqueModel& model, double time) {
   if (model.is_held()) return 0.0;
   return model.discretization == TorqueModel::Discretization::Exact ? std::exp(-model.cutoff * time)
@@ -220,8 +220,8 @@ CompiledProblem::CompiledProblem(const ProblemSpec& spec)
   terminal.terminal = true;
   terminal.solves_contacts = false;
   terminal.active.assign(to_size(contacts.size()), 0);
-  // With filtered torques in the state, the terminal state determines contact forces. The terminal
-  // stage then has the contacts of the last stage.
+  // With filtered torques in the state, the terminal state determines contact forces. In this case,
+  // the contacts of the horizon's last stage are active in the terminal stage.
   if (layout.acts_from_state() && !spec.horizon.empty() && !stages.empty())
     for (const CompiledStage& stage : stages)
       if (stage.name == spec.horizon.back().stage) terminal.active = stage.active;

@@ -27,7 +27,7 @@ struct ResidualCompiler : TermBuilder {
     std::vector<char> in_block(to_size(layout().ndx()), 0);
     for (const TangentBlock& block : problem.blocks)
       std::fill_n(in_block.begin() + block.first, block.size, char{1});
-    // Adds one diagonal block for each run of entries between tangent blocks, as evaluate() does.
+    // Adds a diagonal block for each group of consecutive entries outside the tangent blocks.
     int row = 0;
     while (row < layout().ndx()) {
       if (in_block[row] != 0) {
@@ -199,7 +199,7 @@ struct ResidualCompiler : TermBuilder {
     dense_block(3, columns(layout().column_q(), error.view.entries));
   }
 
-  /// Returns the view of a frame in the axes of a reference. Refuses the frame's own axes.
+  /// Returns the view of a frame in the axes of a reference. Throws Error for the frame's own axes.
   FrameView turned(int frame, Reference reference) {
     reference.origin = Anchor::Tool;  // rotations do not depend on the origin
     const FrameView result = view(frame, reference);
@@ -283,8 +283,8 @@ struct ResidualCompiler : TermBuilder {
     dense_block(term.rows, all_columns());
   }
 
-  /// Refuses a contact that does not hold the direction `normal` (0 to 2), or that lacks more than
-  /// one of the directions `wanted`. The force along a direction that is not held is zero.
+  /// Throws Error unless the contact `c` constrains the direction `normal` (0 to 2), and all or all
+  /// but one of the directions `wanted`. The force along an unconstrained direction is zero.
   void require_directions(int c, Directions wanted, int normal) const {
     const Directions held = problem.contacts.contacts()[c].spec.directions;
     const Directions both{static_cast<std::uint8_t>(held.bits & wanted.bits)};

@@ -91,8 +91,8 @@ void TermBuilder::find_entries() {
   if (!alone) stage.coefficient_rows += term.rows;
 }
 
-/// Adds the curvature of a row if this curvature can enlarge the Hessian. A convex row (sign 1)
-/// needs an upper limit for this, a concave row (sign -1) a lower limit.
+/// Adds the curvature of a row if this curvature can enlarge the Hessian. Convex rows (sign 1) can
+/// enlarge the Hessian at an upper limit, concave rows (sign -1) at a lower limit.
 void TermBuilder::find_curvatures() {
   std::visit(
       [&](const auto& compiled) {

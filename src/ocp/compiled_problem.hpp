@@ -22,7 +22,7 @@ struct CompiledTerm {
   CompiledResidual residual;
   Signal signal;  ///< Target in the user's form, or the default target
   int rows = 0;
-  std::vector<std::string> row_names;  ///< Empty for a StateDifference
+  std::vector<std::string> row_names;  ///< Names of the rows; empty for a StateDifference
   int target = 0;                      ///< First entry in the stage's targets
   int target_size = 0;                 ///< Number of entries in the stage's targets
   int signal_size = 0;                 ///< Number of entries of the signal
@@ -41,13 +41,13 @@ struct CompiledTerm {
   int first_coefficients = 0;
   /// Index in the stage of a constraint's first curvature vector b (RowCurvature); -1: no curvature
   int first_curvature = -1;
-  int curvature_rows = 0;  ///< Number of vectors b
+  int curvature_rows = 0;  ///< Number of curvature vectors b of a constraint
 };
 
 /// A reference whose rotation depends on time. The stage's targets store the rotation in nine
 /// entries, by columns.
 struct CompiledTurning {
-  Signal rotation;   ///< Quaternions
+  Signal rotation;   ///< Rotation over time, as quaternions
   int target = 0;    ///< First entry in the stage's targets
   int contact = -1;  ///< Contact with this reference; -1: a term's reference
   std::string of;    ///< Owner of the reference for messages, such as "contact 'pad'"
@@ -78,7 +78,7 @@ struct CompiledStage {
   std::vector<CompiledTurning> turnings;
   std::vector<CompiledSurface> surfaces;
   std::vector<CompiledFriction> frictions;
-  std::vector<CompiledUse> uses;             ///< In the order in which they are applied
+  std::vector<CompiledUse> uses;             ///< Uses of inputs, in the order of application
   std::vector<CompiledTerm> terms;           ///< Costs, then constraints
   std::size_t costs = 0;                     ///< Number of costs
   std::vector<double> row_lower, row_upper;  ///< Limits of all constraint rows
@@ -88,7 +88,7 @@ struct CompiledStage {
   std::span<const CompiledTerm> constraints() const { return std::span(terms).subspan(costs); }
   int rows() const { return static_cast<int>(row_lower.size()); }
   std::vector<RowCurvature> curvatures;  ///< ShootingProblem::row_curvatures
-  int curvature_rows = 0;                ///< Number of vectors b of all curvatures
+  int curvature_rows = 0;                ///< Number of curvature vectors b of all constraints
   int coefficient_rows = 0;              ///< Number of constraint rows that are not entries of z
   int targets = 0;  ///< Number of entries of all targets, turnings, surfaces and frictions
   int nu = 0;
@@ -104,7 +104,7 @@ struct CompiledStage {
 /// Force state of a contact: its force at the previous step, as part of the state.
 struct ForceState {
   int contact, rows;
-  int first;  ///< First entry among all force states
+  int first;  ///< Index of its first entry among all force states
 };
 
 /// The robot, the contacts and all stages of a problem.
@@ -150,7 +150,7 @@ void store_target(const CompiledTerm& term, const ConstVectorRef& value, double*
 /// rotation of NaN. `scratch` has as many entries as the largest signal, and at least 4.
 void load_targets(const CompiledStage& stage, double time, const InputValues& inputs,
                   Eigen::VectorXd& scratch, double* out);
-/// Writes the surface_size numbers of a surface.
+/// Writes the surface_size target entries of a surface to `out`.
 void store_surface(const Quadric& surface, double* out);
 /// Adds the surface that a reference follows to the stage's targets and returns its first entry; -1
 /// if the reference follows no surface. `followed` names the contact or the term.
@@ -160,7 +160,7 @@ int add_surface(const Reference& reference, CompiledSurface followed, CompiledSt
 int add_turning(const Reference& reference, int contact, const std::string& of,
                 CompiledStage& stage);
 
-/// Compiles the costs and constraints of a stage. `place` begins messages, such as "stage 'press'".
+/// Compiles costs and constraints of a stage. Error messages begin with `place` ("stage 'press'").
 void compile_terms(const ProblemSpec& spec, const CompiledProblem& problem,
                    const std::vector<CostTerm>& costs, const std::vector<Constraint>& constraints,
                    const std::string& place, CompiledStage& stage);

@@ -49,10 +49,10 @@ struct Selection {
   void evaluate(const KnotState<S>& knot, const S* target, S* r, S* J) const;
 };
 
-/// Torque rate per_second (u - tau) of actuators. Requires a torque model.
+/// Torque rate `per_second` (u - tau) of actuators. Requires a torque model.
 struct TorqueRate {
   double per_second;  ///< Filter cut-off [rad/s], or 1 / stage step for held torques [1/s]
-  bool by_step;       ///< True for held torques: evaluate() uses 1 / knot step as the factor
+  bool by_step;       ///< True if evaluate() divides by the step of the knot (held torques)
   std::vector<int> entries;
   template <class S>
   void evaluate(const KnotState<S>& knot, const S* target, S* r, S* J) const;
@@ -150,8 +150,8 @@ struct OwnForceError {
 /// Force rate (lambda - force state) / knot step.
 struct ForceRate {
   int contact, rows;
-  int first;          ///< First entry among the force states
-  double per_second;  ///< 1 / stage step, only for the scale of constraint rows [1/s]
+  int first;          ///< Index of the contact's first entry among the force states
+  double per_second;  ///< 1 / stage step, for the scale of constraint rows [1/s]
   template <class S>
   void evaluate(const KnotState<S>& knot, const S* target, S* r, S* J) const;
 };

@@ -153,7 +153,7 @@ Balance balance_of(const Problem& problem, std::size_t index, const Eigen::Vecto
 }
 
 /// Minimizes |M u - c| for controls u within the bounds, by coordinate descent. Returns the largest
-/// entry of M u - c.
+/// absolute entry of M u - c.
 double least_imbalance(const Balance& balance, const std::vector<double>& lower,
                        const std::vector<double>& upper, Eigen::VectorXd u) {
   const Eigen::MatrixXd G = balance.M.transpose() * balance.M;
@@ -273,7 +273,7 @@ double height_above(const Quadric& surface, const Eigen::Vector3d& x) {
 /// Warns about contacts that start away from their surface. A contact constrains only the rate of
 /// the distance, so the distance stays constant.
 void about_surfaces(const Problem& problem, std::vector<std::string>& sentences) {
-  constexpr double max_height = 1e-3;  // m, chosen by hand
+  constexpr double max_height = 1e-3;  // largest height without a warning, chosen by hand [m]
   const auto& impl = ProblemInside::of(problem);
   const ocp::CompiledStage& stage = impl.stage(0);
   const Eigen::Map<const Eigen::VectorXd> q(problem.initial_state(), problem.layout().nq);

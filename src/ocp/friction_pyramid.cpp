@@ -9,7 +9,7 @@
 namespace burnish::ocp {
 
 void check_sides(int sides) {
-  // With 32 sides, half a percent of the friction is unused. More rows only cost time.
+  // With 32 sides, at most 0.5 % of the friction is unused. More sides would cost computing time.
   constexpr int max_sides = 32;
   if (sides != 0 && (sides < 3 || sides > max_sides))
     throw Error("sides is " + std::to_string(sides) + "; wanted 3 to " + std::to_string(max_sides) +

@@ -16,7 +16,7 @@
 namespace burnish::ocp {
 namespace {
 
-/// Returns the kind with its article, such as "a scalar".
+/// Returns the name of a kind of input with its article, such as "a scalar".
 std::string text_of(InputKind kind) {
   return (kind == InputKind::Inertia ? "an " : "a ") +
          words_of(kind).words[static_cast<std::size_t>(kind)].word;
@@ -69,7 +69,7 @@ void check_constant(const InputSpec& spec) {
            "the value is not a quaternion of length 1; wanted a unit quaternion x, y, z, w");
 }
 
-/// Throws Error if an inertia cannot act at its frame, or if another input loads the same body.
+/// Throws Error if an inertia input has no valid frame, or shares its body with an earlier one.
 void check_frame(const InputSpec& given, const ProblemSpec& spec) {
   if (given.frame.empty())
     refuse(given.name, "the inertia has no frame; wanted a frame of the robot");

@@ -22,12 +22,12 @@ struct CompiledUse {
     Ratio,        ///< Multiplies a coefficient of friction by the input; values above 1 count as 1
     Coefficient,  ///< Replaces a coefficient of friction
     Surface,      ///< Replaces the numbers of a surface
-    Depth,        ///< Moves a point into the surface
+    Depth,        ///< Moves a target position into the surface by InputState::depth
   };
   How how;
   int input;
   int target;  ///< First entry in the stage's targets
-  int size;    ///< Number of entries
+  int size;    ///< Number of target entries that change
 };
 
 /// An input: what its specification states, and what set_input() has set.
@@ -66,7 +66,7 @@ class Inputs {
   int index(const std::string& name) const;
   /// Like index(), and throws Error if the input is of another kind.
   int index(const std::string& name, InputKind kind) const;
-  /// Like index(), with the entry that names the input, such as "surface_input", in the error.
+  /// Like index(), with `key` in error messages: the entry that names the input ("surface_input").
   int index_of(const char* key, const std::string& name, InputKind kind) const;
   /// Throws Error if the kind of the input is not in `wanted`.
   void check_kind(int input, std::initializer_list<InputKind> wanted) const;

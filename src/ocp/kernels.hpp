@@ -1,4 +1,4 @@
-// Declares explicit instantiations of contact templates, to avoid compiling them again.
+// Declares the explicit instantiations of contact dynamics, to avoid compiling them again.
 #pragma once
 
 #include "math/pack.hpp"

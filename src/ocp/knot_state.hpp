@@ -18,7 +18,7 @@ Mat3<S> rotation_of(const S* entries) {
 
 /// Number of target entries of a surface: xx, xy, xz, yy, yz and zz of Q, then b (3) and c.
 constexpr int surface_size = 10;
-/// Reads a surface from its target entries. Omits c, which the result does not need.
+/// Returns a surface from its target entries `n`. Omits c, which CurvedSurface does not contain.
 template <class S>
 CurvedSurface<S> surface_of(const S* n) {
   return {{{n[0], n[1], n[2]}, {n[1], n[3], n[4]}, {n[2], n[4], n[5]}}, {n[6], n[7], n[8]}};
@@ -37,7 +37,7 @@ struct KnotState {
   const S* tau = nullptr;           ///< Torques of the actuators, nv entries
   const ConstrainedDynamics<S>* dynamics = nullptr;
   bool solved = false;                    ///< Whether a and lambda of `dynamics` are valid
-  const FrameState<S>* frames = nullptr;  ///< Frames of the stage, in its order
+  const FrameState<S>* frames = nullptr;  ///< States of the stage's frames, in their order
   const CompiledFrame* compiled_frames = nullptr;
   const Momentum<S>* momentum = nullptr;
   const S* targets = nullptr;  ///< Target entries of the stage
@@ -46,7 +46,7 @@ struct KnotState {
   S decaying{0.0};             ///< KnotTime::decaying
   S* scratch = nullptr;        ///< Memory for residuals, 6 x nz
 
-  // Only after StageDynamics::derivatives():
+  // Valid only after StageDynamics::derivatives():
   const S* da_dz = nullptr;       ///< Derivative of a, nv x nz, row-major
   const S* dlambda_dz = nullptr;  ///< Derivative of lambda, active rows x nz, row-major
   const MomentumDerivatives<S>* momentum_derivatives = nullptr;

@@ -31,8 +31,8 @@ LoopParts parts_of(const Model& model, const ContactDynamics& dynamics,
   return parts;
 }
 
-/// Changes `a` so that J a = wanted. First changes only the passive entries, then all entries if
-/// necessary.
+/// Changes the accelerations `a` so that J a = wanted. Changes the driven entries only if changes
+/// of the passive entries are not sufficient.
 void follow(const Eigen::MatrixXd& J, const std::vector<int>& passive,
             const Eigen::VectorXd& wanted, Eigen::VectorXd& a) {
   const Eigen::MatrixXd J_passive = J(Eigen::all, passive);

@@ -11,7 +11,7 @@
 
 namespace burnish::ocp {
 
-/// Memory for a residual r, its Jacobian blocks J and its curvature vectors; null: not wanted.
+/// Memory for a residual r, its Jacobian blocks J and its curvature vectors. Null: not computed.
 template <class S>
 struct ResidualOutput {
   S *r, *J = nullptr, *curvatures = nullptr;
@@ -64,7 +64,7 @@ class NodeKernel {
   std::vector<S> curvatures;      ///< KnotExpansion::curvatures, nz entries each
   std::vector<S> gradient;        ///< Gradient of the cost, nz entries
   std::vector<S> hessian;         ///< Hessian of the cost, nz x nz, lower triangle
-  std::vector<S> dynamics_by_z;   ///< P (nv x nz), or F (ndx x nz) of dense stages
+  std::vector<S> dynamics_by_z;   ///< P (nv x nz) or F (ndx x nz), see DynamicsForm
   std::vector<S> tangent_blocks;  ///< A, then B, of each non-Euclidean tangent block
 
  private:

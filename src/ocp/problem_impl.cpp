@@ -22,7 +22,7 @@ Worker::Worker(const CompiledProblem& problem)
 
 namespace {
 
-/// Row-major matrix of packs, `stride` between rows.
+/// Row-major matrix of packs. The starts of two consecutive rows are `stride` packs apart.
 struct PackMatrix {
   const NativePack* data;
   int rows, columns, stride;
@@ -42,7 +42,7 @@ BURNISH_INLINE void scatter_lanes(const PackMatrix& from, int lanes, double* con
   }
 }
 
-/// Copies a matrix: lane l goes to out[l].
+/// Copies the matrix of each lane l to out[l].
 void scatter_rows(const PackMatrix& from, int lanes, double* const* out, int out_stride) {
   if (lanes == native_lanes) {
     scatter_lanes(from, native_lanes, out, out_stride);
@@ -63,7 +63,7 @@ std::vector<double> bounds(const Eigen::VectorXd& given, int nu, const char* nam
   return result;
 }
 
-/// Limits the memory for targets: every knot stores the targets of its terms.
+/// Throws Error if the horizon needs too much memory: every knot stores its terms' targets.
 void check_size(std::size_t knots, const CompiledProblem& problem) {
   constexpr std::size_t max_entries = 10'000'000;
   const auto per_knot =

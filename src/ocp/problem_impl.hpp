@@ -112,12 +112,12 @@ struct Problem::Impl {
   std::vector<double> own_steps;              ///< Step of each knot [s]; 0: its stage's step
   double decay_time = 0.0;                    ///< Time constant of the decaying torque [s]; 0: none
   std::vector<ocp::KnotTime<double>> timing;  ///< Timing of each knot, without KnotTime::times
-  std::vector<double> targets;                ///< largest_targets entries for each knot
-  std::vector<double> signals;                ///< Targets before the inputs are applied
-  std::vector<double> inputs;                 ///< Inputs::entries() values for each knot
+  std::vector<double> targets;                ///< Target entries, largest_targets for each knot
+  std::vector<double> signals;                ///< Target entries before inputs are applied
+  std::vector<double> inputs;                 ///< Values of inputs, Inputs::entries() for each knot
   std::vector<KnotRange> ranges;
   std::vector<double> initial_state, lower, upper;
-  std::vector<double> control_scale;  ///< Effort limits of the robot; 1 for actuators without one
+  std::vector<double> control_scale;  ///< Effort limit of each actuator; 1: no limit
   Eigen::VectorXd signal_scratch;
   std::vector<std::unique_ptr<ocp::Worker>> workers;
 };

@@ -84,7 +84,7 @@ void ConeMargin::evaluate(const KnotState<S>& knot, const S* target, S* r, S* J,
   S* const dw = J == nullptr ? nullptr : knot.scratch;
   wrench.evaluate(knot, w, dw);
   const int t1 = (normal + 1) % 3, t2 = (normal + 2) % 3;
-  const S smoothing(1e-6);  // (1e-3 N)^2
+  const S smoothing(1e-6);  // (1e-3 N)^2, makes the length differentiable at zero
   const S length = square_root(S(w[t1] * w[t1] + w[t2] * w[t2] + smoothing));
   const S friction = target[0];
   r[0] = friction * w[normal] - length;
@@ -97,8 +97,8 @@ void ConeMargin::evaluate(const KnotState<S>& knot, const S* target, S* r, S* J,
     J[nz + c] = dw[normal * nz + c];
   }
   if (curvatures == nullptr) return;
-  // The length of the tangential force has curvature across the force. Its curvature along the
-  // force comes only from the smoothing and is omitted.
+  // The length of the tangential force is curved perpendicular to the force. Its curvature along
+  // the force comes only from the smoothing and is omitted.
   const S scale = S(1.0) / square_root(length);
   for (int c = 0; c < nz; ++c)
     curvatures[c] = scale * (c1 * dw[t2 * nz + c] - c2 * dw[t1 * nz + c]);

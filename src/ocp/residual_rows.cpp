@@ -33,7 +33,7 @@ struct RowsOf {
     for (const Joint* joint : joints) rows.push_back({joint->name, joint->nv});
     return rows;
   }
-  /// Returns the entries of v of these joints, with symmetric limits.
+  /// Returns one row per entry of v of these joints, with the limits -`largest` and `largest`.
   static ResidualRows limited(const std::vector<const Joint*>& joints,
                               const Eigen::VectorXd& largest) {
     std::vector<double> upper;

@@ -18,7 +18,7 @@ struct RowGroup {
 struct ResidualRows {
   std::vector<RowGroup> groups = {};
   /// Limits of the robot for each row, in the residual's unit; infinite for a row without a limit.
-  /// Both are empty for residuals to which no limit of a robot applies.
+  /// The vectors are empty for residuals to which no limit of a robot applies.
   Eigen::VectorXd lower = {}, upper = {};
 };
 

@@ -10,9 +10,9 @@
 namespace burnish::ocp {
 namespace {
 
-/// Returns a scale that depends on the kind of the row: the robot's limit of the quantity, for
-/// forces the robot's weight, for distances the limit itself, for support polygons half the width.
-/// Returns 0 for other kinds.
+/// Returns a typical magnitude of a row. This is the robot's limit of the row's quantity, the
+/// robot's weight for a force, the limit of the row for a distance, or half the width of a support
+/// polygon. Returns 0 for other quantities.
 double derived_scale(const Residual& residual, const CompiledTerm& term,
                      const CompiledProblem& problem, std::size_t row) {
   const Model& model = problem.model;
@@ -45,8 +45,8 @@ double derived_scale(const Residual& residual, const CompiledTerm& term,
   return 0.0;
 }
 
-/// Returns the scale of a row: half the distance between its limits or, with one limit, the derived
-/// scale.
+/// Returns the scale of a row: half the distance between its limits, or derived_scale() if this
+/// distance is zero or infinite.
 double scale_of(const Residual& residual, const CompiledTerm& term, const CompiledProblem& problem,
                 const std::string& where, std::size_t row) {
   const auto is_valid = [](double scale) { return scale > 0.0 && std::isfinite(scale); };

@@ -79,8 +79,8 @@ Vector10 cost_by_payload(Problem& problem, const DdpSolver& solver, std::string_
   Lagrangian lagrangian(problem, solver);
   Vector10 result;
   for (int k = 0; k < 10; ++k) {
-    // Step of the finite differences, as a fraction of the body's mass. Lengths are counted in
-    // units of 0.1 m.
+    // Step of the finite differences as a fraction of `mass`, of `mass` * 0.1 m for first moments,
+    // and of `mass` * 0.01 m^2 for moments of inertia.
     constexpr double fraction = 1e-4;
     const double h = fraction * mass * (k == 0 ? 1.0 : k < 4 ? 0.1 : 0.01);
     const auto value_at = [&](double step) {

@@ -62,8 +62,8 @@ double largest_force(const ProblemSpec& spec, const Stage& stage, const ContactS
   return largest;
 }
 
-/// Returns the Jacobian of the point where friction acts on the tool, along two directions across
-/// the normal (2 x nv).
+/// Returns the Jacobian of the point where friction acts on the tool, along two directions
+/// perpendicular to the normal (2 x nv).
 std::optional<Eigen::MatrixXd> sliding_jacobian(const ProblemSpec& spec, const ContactSpec& contact,
                                                 const Eigen::VectorXd& q,
                                                 const Eigen::VectorXd& zero) {
@@ -92,8 +92,8 @@ std::optional<Eigen::MatrixXd> sliding_jacobian(const ProblemSpec& spec, const C
   return result;
 }
 
-/// Returns the smallest apparent mass of the tool across the normal while the stage's contacts are
-/// active [kg].
+/// Returns the smallest apparent mass of the tool perpendicular to the normal while the stage's
+/// contacts are active [kg].
 std::optional<double> sliding_mass(const ProblemSpec& spec, const Stage& stage,
                                    const ContactSpec& contact) {
   const Eigen::VectorXd q = spec.initial_state.head(spec.model.nq);
@@ -119,7 +119,7 @@ std::optional<double> sliding_mass(const ProblemSpec& spec, const Stage& stage,
   const Eigen::Matrix2d symmetric = 0.5 * (mobility + mobility.transpose());
   const double max_mobility =
       Eigen::SelfAdjointEigenSolver<Eigen::Matrix2d>(symmetric).eigenvalues()[1];
-  constexpr double min_mobility = 1e-9;  // 1/kg; below, no joint moves the tool across the normal
+  constexpr double min_mobility = 1e-9;  // smaller: no joint moves the tool sideways [1/kg]
   if (!(max_mobility > min_mobility)) return std::nullopt;
   return 1.0 / max_mobility;
 }
@@ -155,8 +155,8 @@ std::optional<SlidingStep> sliding_step(const ProblemSpec& spec, const Stage& st
 namespace burnish {
 
 ProblemSpec with_fade_speeds(ProblemSpec spec) {
-  // Ratio of the fade speed to the speed that friction removes in a step. With a ratio of 2,
-  // problems with force limits needed tens of iterations.
+  // Ratio of the fade speed to the speed that friction removes in a step. With a ratio of 2, the
+  // solver needed tens of iterations for problems with force limits.
   constexpr double margin = 4.0;
   if (spec.initial_state.size() < spec.model.nq || !spec.initial_state.allFinite()) return spec;
   for (ContactSpec& contact : spec.contacts) {

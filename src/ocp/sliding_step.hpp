@@ -11,12 +11,12 @@ namespace burnish::ocp {
 struct SlidingStep {
   double coefficient = 0.0;
   double force = 0.0;  ///< Force along the normal [N]
-  double mass = 0.0;   ///< Smallest apparent mass of the tool across the normal [kg]
+  double mass = 0.0;   ///< Smallest apparent mass of the tool perpendicular to the normal [kg]
   double step = 0.0;   ///< Step [s]
 
-  /// Returns the speed that friction removes from the tool in one step [m/s]. If friction fades
-  /// below a smaller speed, the tool overshoots rest within a step. If it fades below half this
-  /// speed, semi-implicit steps make the tool oscillate with growing amplitude.
+  /// Returns the speed that friction removes from the tool in one step [m/s]. If the fade speed of
+  /// friction is smaller than this speed, a step can reverse the sliding. With a fade speed below
+  /// half this speed, semi-implicit steps make the tool oscillate with growing amplitude.
   double speed() const { return coefficient * force * step / mass; }
 };
 
@@ -25,8 +25,8 @@ struct SlidingStep {
 double explicit_step(const ProblemSpec& spec, const Stage& stage);
 
 /// Returns the effect of a contact's friction in a stage with this contact, at the initial posture.
-/// Returns nothing if the contacts cannot be evaluated there, or if no joint moves the tool across
-/// the normal. Throws Error like ContactDynamics.
+/// Returns nothing if the contacts cannot be evaluated at this posture, or if no joint moves the
+/// tool perpendicular to the normal. Throws Error like ContactDynamics.
 std::optional<SlidingStep> sliding_step(const ProblemSpec& spec, const Stage& stage,
                                         const ContactSpec& contact);
 

@@ -15,19 +15,19 @@
 namespace burnish {
 namespace {
 
-// Error limits, see check_steps().
-constexpr double min_position_limit = 0.01;  // rad, m
-constexpr double min_velocity_limit = 0.1;   // rad/s, m/s
-constexpr double max_delay = 0.025;          // (limit of a position error) / (largest speed), s
+// Limits of the errors, explained at check_steps().
+constexpr double min_position_limit = 0.01;  // smallest limit of a position error [rad or m]
+constexpr double min_velocity_limit = 0.1;   // smallest limit of a velocity error [rad/s or m/s]
+constexpr double max_delay = 0.025;          // (limit of a position error) / (largest speed) [s]
 constexpr double max_speed_fraction = 0.1;   // (limit of a velocity error) / (largest speed)
 
-/// Largest difference between the results of n and of 2 n small steps, relative to the larger of
-/// the error and its limit; chosen by hand.
+/// Largest difference between the results of n and of 2 n small steps, as a fraction of the plan's
+/// error or, if larger, of the limit of this error. Chosen by hand.
 constexpr double convergence = 0.02;
-/// Largest number of small steps of a knot; chosen by hand.
+/// Largest number of small steps into which a knot's step is divided; chosen by hand.
 constexpr int max_small_steps = 256;
 
-/// Returns the value with three digits.
+/// Returns the value as text with three significant digits.
 std::string rounded(double value) {
   char text[32];
   std::snprintf(text, sizeof text, "%.3g", value);
@@ -100,7 +100,7 @@ class StepCheck {
                : std::max(min_velocity_limit, max_speed_fraction * largest_speed_[entry - nv()]);
   }
 
-  /// Integrates the states x of a range over a fraction of the knots' steps, in equal steps.
+  /// Integrates the states x of a range over a fraction of the knots' steps, in `steps` parts.
   void integrate(const ocp::CompiledStage& stage, KnotRange range, int steps, double fraction,
                  States& x) {
     ocp::KnotTime<NativePack> time = times_;
@@ -194,8 +194,8 @@ class StepCheck {
     }
   }
 
-  /// Returns whether an error is worse than another one. An error above its limit is worse than an
-  /// error below its limit. Otherwise the larger error is worse.
+  /// Returns whether an error is worse than the error `than`. Errors above their limits are worse
+  /// than errors below their limits. If both are above or both below, the larger error is worse.
   static bool is_worse(double error, double limit, const StepError& than) {
     const bool above = error > limit, was_above = than.error > than.limit;
     return above != was_above ? above : error > than.error;
@@ -251,10 +251,10 @@ class StepCheck {
   ocp::Worker worker_;
   const MatrixView& xs_;
   const MatrixView& us_;
-  Eigen::VectorXd largest_speed_;  // of each entry of v over the plan, rad/s or m/s
+  Eigen::VectorXd largest_speed_;  // largest speed of each entry of v [rad/s or m/s]
   ocp::KnotTime<NativePack> times_;
-  double lane_times_[native_lanes] = {};  // s
-  Status statuses_[native_lanes] = {};    // of the last integrate()
+  double lane_times_[native_lanes] = {};  // time of each lane [s]
+  Status statuses_[native_lanes] = {};    // status of each lane after integrate()
   States start_, small_;
   StepReport report_;
 };

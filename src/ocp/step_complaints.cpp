@@ -121,8 +121,8 @@ class StageSteps {
         number(two_digits(step_ * speed / sliding->speed(), false)) + " s");
   }
 
-  /// Warns about damping, friction and springs of the joints. The rate of each joint, with the
-  /// other joints free, is a lower bound of the robot's fastest rate.
+  /// Warns about damping, friction and springs of the joints. The decay rate of each joint, with
+  /// the other joints free, is a lower bound of the robot's fastest decay rate.
   void about_joints(std::vector<std::string>& sentences) const {
     const ocp::CompiledProblem& compiled = ocp::ProblemInside::of(problem_).compiled;
     if (!compiled.passive) return;
@@ -142,13 +142,13 @@ class StageSteps {
     ContactDynamics dynamics = contact_dynamics();
     if (!is_usable(dynamics.forward(q, zero, zero))) return;
     const Eigen::VectorXd at_rest = dynamics.a();
-    double largest_loss = 0.0;  // speed that friction removes in a step, rad/s or m/s
+    double largest_loss = 0.0;  // speed that friction removes in a step [rad/s or m/s]
     for (int k = 0; k < nv; ++k) {
       const double friction = passive.friction[to_size(k)];
       damping[k] += passive.damping[to_size(k)];
       if (damping[k] <= 0.0 && stiffness[k] <= 0.0 && friction <= 0.0) continue;
       if (!is_usable(dynamics.forward(q, zero, Eigen::VectorXd::Unit(nv, k)))) return;
-      const double mobility = dynamics.a()[k] - at_rest[k];  // 1/(kg m^2) or 1/kg
+      const double mobility = dynamics.a()[k] - at_rest[k];  // per torque [1/(kg m^2) or 1/kg]
       largest_loss = std::max(largest_loss, mobility * friction * step_);
       about_mode(k, {mobility * std::max(stiffness[k], 0.0), mobility * damping[k]}, sentences);
     }

@@ -10,7 +10,7 @@
 
 namespace burnish::ocp {
 
-/// State of the compilation of one term. `where` begins messages.
+/// State of the compilation of one term. Error messages begin with `where`.
 struct TermBuilder {
   const ProblemSpec& spec;
   const CompiledProblem& problem;
@@ -23,7 +23,7 @@ struct TermBuilder {
 
   const StateLayout& layout() const { return problem.layout; }
 
-  // In term_builder.cpp: parts that several kinds of residuals share.
+  // Defined in term_builder.cpp: parts that several kinds of residuals share.
 
   void target(const Signal& signal, int size, const Eigen::VectorXd& fallback,
               CompiledTerm::Load load = CompiledTerm::Load::Plain);

@@ -20,7 +20,7 @@ Json number_json(const std::optional<double>& value);
 Json numbers_json(const Eigen::Ref<const Eigen::VectorXd>& values);
 /// Returns a list of rows.
 Json matrix_json(const Eigen::Ref<const Eigen::MatrixXd>& matrix);
-/// Returns {"xyz": [x, y, z] [m], "quaternion": [x, y, z, w]} with w >= 0.
+/// Returns {"xyz": [x, y, z], "quaternion": [x, y, z, w]}, with `xyz` in metres and w >= 0.
 Json placement_json(const Eigen::Isometry3d& placement);
 
 /// Returns indented text with full precision. Lists of plain values are on one line.

@@ -11,7 +11,7 @@ namespace burnish {
 namespace {
 
 constexpr std::string_view magic = "\x89MCAP0\r\n";
-constexpr std::size_t chunk_size = std::size_t{1} << 20U;  // Chosen by hand [bytes]
+constexpr std::size_t chunk_size = std::size_t{1} << 20U;  // Minimum; chosen by hand [bytes]
 
 enum class Op : std::uint8_t {
   Header = 0x01,

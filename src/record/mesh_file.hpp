@@ -16,7 +16,7 @@ namespace burnish {
 std::vector<std::filesystem::path> mesh_folders(const std::string& robot);
 
 /// Returns the file of a mesh uri; empty if there is none. `folder` is the folder of the
-/// description, and a plain uri is relative to it.
+/// description. A uri without a scheme is a path relative to `folder`.
 /// A package:// uri is searched in folders named like the package: above `folder`, in
 /// $ROS_PACKAGE_PATH, and in the share folders of $AMENT_PREFIX_PATH. If no such file exists, the
 /// path without the package's name is searched in `folder` and the two folders above.

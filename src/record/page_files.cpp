@@ -18,7 +18,7 @@ namespace fs = std::filesystem;
 constexpr const char* no_page =
     "this program was built without the web page of runs, because Node or its packages were "
     "missing";
-/// Maximum size of a comparison [bytes]. Browsers open larger pages only slowly. Chosen by hand.
+/// Maximum size of the runs in comparison.html, chosen by hand [bytes]. Larger pages open slowly.
 constexpr std::size_t largest_comparison = 100'000'000;
 
 std::int64_t now() {

@@ -15,15 +15,15 @@ namespace burnish {
 class PageWriter {
  public:
   PageWriter(bool pages, bool recordings) : pages_(pages), recordings_(recordings) {}
-  /// Writes run.json, run.html and run.mcap, as far as requested and possible, and returns their
-  /// names. Calls `make` for the page only if a file needs it. An empty `make` means that there is
-  /// nothing to show.
+  /// Writes run.json, run.html and run.mcap, as far as requested and possible. Returns the names of
+  /// the written files. The function `make` returns the content of the page and is called only if a
+  /// file needs the content. Without `make`, no file is written.
   std::vector<std::string> write(const std::filesystem::path& folder,
                                  const std::function<RunPage()>& make);
   /// Returns whether runs have an HTML page, which contains all plots.
   bool makes_pages() const;
-  /// Called after the last run. If there are several runs, writes comparison.html to their common
-  /// folder. Returns a line for the user about the pages; empty: none.
+  /// Must be called after the last run. Writes comparison.html to the common folder of several
+  /// runs. Returns a line for the user about the pages; empty: none.
   std::string finish(const std::filesystem::path& folder) const;
   /// Returns a sentence about meshes that are missing in the pages of these runs; empty: none.
   std::string missing_meshes() const;

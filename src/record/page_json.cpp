@@ -156,7 +156,7 @@ void add_series(Json& json, const RunPage& run) {
   json["envelopes"] = {{"columns", list_json(run.envelopes, envelope_json)}};
 }
 
-/// Returns [lower, upper] per joint; infinite for joints with several entries.
+/// Returns [lower, upper] per joint; null without a limit and for joints with several entries.
 Json limits_json(const Model& model) {
   const double none = std::numeric_limits<double>::infinity();
   const auto list = [&](const auto& limit_of) {

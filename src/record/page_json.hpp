@@ -13,7 +13,7 @@
 
 namespace burnish {
 
-/// Format of the data in a page and in run.json.
+/// Name of the format of the data in a page and in run.json.
 inline constexpr std::string_view page_format = "burnish-page/1";
 
 /// Returns JSON without blanks. Bytes that are not UTF-8 become U+FFFD.

@@ -6,7 +6,7 @@ namespace burnish {
 namespace {
 
 std::string file_name(const std::string& uri) {
-  return uri.substr(uri.find_last_of("/\\") + 1);  // npos + 1 is 0
+  return uri.substr(uri.find_last_of("/\\") + 1);  // without a slash: npos + 1 is 0
 }
 
 /// Returns a joint with its limits; limits of joints with several entries are null.

@@ -47,8 +47,8 @@ std::vector<std::string> write_run_files(const RunFiles& run, const RunFilesOpti
 nlohmann::ordered_json fault_json(const FaultReport& fault);
 /// Returns the fault for the page; empty without a fault.
 std::optional<PageFault> page_fault(const FaultReport& fault);
-/// Returns a robot at q with its postures and meshes. The robot's name for load_robot(), `name`,
-/// leads to the folders of the meshes.
+/// Returns a robot at q with its postures and meshes. `name` is the robot's name for load_robot();
+/// mesh_folders() derives the folders of the meshes from this name.
 RobotDrawing drawing_of(const Robot& robot, const std::string& name, const Eigen::VectorXd& q);
 
 }  // namespace burnish

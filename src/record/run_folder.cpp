@@ -85,7 +85,7 @@ void check_replaceable(const fs::path& folder) {
   }
 }
 
-/// Returns whether a path still refers to the file that was opened.
+/// Returns whether a path still refers to the open file `descriptor`.
 bool leads_to(const fs::path& path, int descriptor) {
   struct stat by_path {
   }, by_descriptor{};
@@ -142,7 +142,7 @@ RunFolder::~RunFolder() {
       fs::remove(path_ / mark_name, ignored);
     else
       mark_as_failed();
-    if (made_) fs::remove(path_, ignored);  // Fails if the folder is not empty
+    if (made_) fs::remove(path_, ignored);  // Keeps a folder that is not empty
   }
   if (lock_ >= 0) close(lock_);
 }

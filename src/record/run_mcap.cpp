@@ -55,7 +55,7 @@ Json named_json(const char* letters, const double* values) {
   for (; *letters != '\0'; ++letters) json[std::string(1, *letters)] = *values++;
   return json;
 }
-/// Adds the position and the rotation of a placement under two names.
+/// Adds the position of a placement as entry `where`, and its rotation as entry `how`.
 void add_placement(Json& json, const char* where, const char* how,
                    const Eigen::Isometry3d& placement) {
   const Eigen::Vector3d p = placement.translation();

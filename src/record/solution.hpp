@@ -19,7 +19,7 @@ namespace burnish {
 struct PlotSignals {
   /// Frames with a cost on their position, then frames with only a constraint on it.
   std::vector<std::string> frames;
-  std::vector<std::string> forces;  ///< Columns such as "table_force_z_centered", of all contacts
+  std::vector<std::string> forces;  ///< Columns of contact forces, such as "table_force_z_centered"
 };
 PlotSignals followed(const ProblemSpec& spec);
 

@@ -71,7 +71,7 @@ Json rows_json(const Problem& problem, const CostReport& report) {
   return rows;
 }
 
-/// Returns the rows that the initial state violates whatever the control.
+/// Returns the constraint rows that the initial state violates, for any control.
 Json start_json(const Problem& problem, const DdpSummary& summary) {
   Json rows = Json::array();
   if (summary.start_violations.empty()) return rows;

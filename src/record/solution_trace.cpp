@@ -107,7 +107,7 @@ struct RowWriter {
         const std::string name =
             contact_name(contact) + "/" + std::string(direction_names[to_size(d)]);
         const auto found = by_name.find(name);
-        // A contact that is not active has the force 0. At the last knot, forces are not available.
+        // The force of a contact that is not active is 0. Forces may be unknown at the last knot.
         at(force_column(contact, d)) = found != by_name.end() ? found->second
                                        : has_forces           ? 0.0
                                                               : not_available;
@@ -127,8 +127,8 @@ struct RowWriter {
 
   /// Target position of a frame, and the frame's distance from this target along rows with weight.
   struct Aim {
-    Eigen::Vector3d target = Eigen::Vector3d::Constant(not_available);  // In world axes [m]
-    double distance = not_available;                                    // [m]
+    Eigen::Vector3d target = Eigen::Vector3d::Constant(not_available);  // in world axes [m]
+    double distance = not_available;                                    // along weighted rows [m]
   };
   Aim aim_of(const std::string& frame, const Eigen::Vector3d& p) const {
     Aim aim;

@@ -19,7 +19,7 @@ namespace burnish {
 struct FigureUnit {
   const char* unit;        ///< Unit of the value; "": a number, a fraction or a word
   const char* shown = "";  ///< Unit in printed tables and pages
-  double factor = 1.0;     ///< Factor from `unit` to `shown`
+  double factor = 1.0;     ///< Factor that converts a value in `unit` to `shown`
 };
 namespace figure_units {
 inline constexpr FigureUnit none{""}, newton{"N", "N"}, metre{"m", "mm", 1e3},
@@ -34,7 +34,7 @@ struct FigureEntry {
   FigureUnit unit;
   /// Meaning; "force{mean}" stands for the force or, with averaging, for its moving mean.
   const char* meaning;
-  /// Label on the page; "": only in files
+  /// Label on the page; "": the page does not show the figure
   const char* label = "";
   int digits = 3;  ///< Digits after the decimal point in tables and pages
 

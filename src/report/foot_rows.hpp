@@ -27,8 +27,8 @@ class StateRows {
   RigidBody body_;
 };
 
-/// Minimum normal force for a friction ratio and a centre of pressure [N]. Below this force, ratio
-/// and centre are ill-defined. Chosen by hand.
+/// Minimum normal force for a friction ratio and a centre of pressure [N]. With a smaller force,
+/// the ratio and the centre are ill-defined. Chosen by hand.
 constexpr double min_pressure_load = 20.0;
 
 /// Load of a foot, from the wrench in a trace.
@@ -48,7 +48,7 @@ class FootRows {
   const TouchSpec& support() const { return support_; }
   const Eigen::Vector3d& normal() const {
     return support_.surface.normal;
-  }  ///< Unit normal, world axes
+  }  ///< Unit normal of the ground, in world axes
   /// Returns the load in a row, for the placement `foot` of the foot's frame in the world.
   FootLoad load(int row, const Eigen::Isometry3d& foot) const;
   Eigen::Isometry3d placement(const RigidBody& body) const { return body.placement(frame_); }

@@ -22,7 +22,7 @@ struct Window {
 };
 
 Window window_of(const Trace::Column& time, double start, double end) {
-  // Rounding error of times [s]: a window from 3 s must include the row at 3 s.
+  // Tolerance for rounding errors of times [s]: a window from 3 s must include the row at 3 s.
   constexpr double slack = 5e-10;
   Window result{0, static_cast<int>(time.size())};
   while (result.first < result.last && time[result.first] < start - slack) ++result.first;

@@ -13,9 +13,9 @@ namespace burnish {
 /// x. The computing time is proportional to the length of x, for any width.
 inline Eigen::VectorXd moving_mean(const Eigen::VectorXd& x, int width) {
   const Eigen::Index n = x.size(), w = std::max(1, width), before = w / 2;
-  // Sums from each sample to both ends of its block of w samples. A window covers at most two
-  // blocks, so its sum is the sum of two numbers. Differences of running sums would lose digits in
-  // long signals.
+  // Sums from each sample to both ends of its block of w samples. A window covers parts of at most
+  // two blocks, so the sum of the window is a sum of at most two of these numbers. Differences of
+  // running sums would lose digits in long signals.
   Eigen::VectorXd from_start(n), to_end(n), result(n);
   for (Eigen::Index begin = 0; begin < n; begin += w) {
     const Eigen::Index end = std::min(n, begin + w);
@@ -37,8 +37,8 @@ inline Eigen::VectorXd moving_mean(const Eigen::VectorXd& x, int width) {
   return result;
 }
 
-/// Number of samples, at least 1, in a mean over `time` [s] with samples at intervals of `step`
-/// [s].
+/// Returns the number of samples, at least 1, in a mean over `time` [s]. The time between samples
+/// is `step` [s].
 inline int samples_in(double time, double step) {
   return static_cast<int>(std::clamp(std::round(time / step), 1.0, 1e9));
 }

@@ -16,8 +16,8 @@
 namespace burnish {
 namespace {
 
-/// Number of page columns, not counting those of joints, and number of envelopes, not counting
-/// those of torques.
+/// Number of page columns except the columns of joints, and number of envelopes except those of
+/// torques.
 constexpr int plain_columns = 30, plain_envelopes = 7;
 /// Number of columns of a standing robot, except those of its supports.
 constexpr int standing_columns = 9;
@@ -243,7 +243,7 @@ void add_standing(PageFiller& fill, const RunPage& page, const Trace& trace) {
   }
 }
 
-/// Adds the columns of limits, unless all of them are zero.
+/// Adds the columns about active constraints, violations and clipped torques, unless all are zero.
 void add_limits(PageFiller& fill, const Trace& trace) {
   const char* const names[] = {"active_constraints", "constraint_violation",
                                "constraints_infeasible", "clipped_torques"};

@@ -36,7 +36,7 @@ PlanRecorder::PlanRecorder(MpcController& controller, double step, double solver
 }
 
 void PlanRecorder::look(double time, const Command& command) {
-  constexpr double slack = 1e-9;  // rounding error of times, which are sums [s]
+  constexpr double slack = 1e-9;  // tolerance for rounding errors of summed times [s]
   if (period_ == 0.0 || time == last_) return;
   last_ = time;
   if (command.solve_time <= 0.0 || time < next_ - slack) return;

@@ -53,13 +53,13 @@ struct PageMetric {
   std::string label;            ///< Label, such as "force error, rms"
   std::optional<double> value;  ///< Value; none: not available
   std::string unit;
-  std::string text;  ///< Meaning
+  std::string text;  ///< Meaning in words
 };
 
 /// Phase of a run.
 struct PagePhase {
   std::string name;
-  double start = 0.0, end = 0.0;  ///< Times [s]
+  double start = 0.0, end = 0.0;  ///< Times of the start and the end [s]
 };
 
 /// Part of a curved surface to draw: a grid of side x side points, in world axes.
@@ -73,8 +73,8 @@ struct PagePatch {
 struct PageSurface {
   Eigen::Vector3d point = Eigen::Vector3d::Zero();
   Eigen::Matrix3d axes = Eigen::Matrix3d::Identity();
-  Eigen::Vector3d true_point = Eigen::Vector3d::Zero();     ///< Point in the plant
-  Eigen::Matrix3d true_axes = Eigen::Matrix3d::Identity();  ///< Axes in the plant
+  Eigen::Vector3d true_point = Eigen::Vector3d::Zero();     ///< Surface point in the plant
+  Eigen::Matrix3d true_axes = Eigen::Matrix3d::Identity();  ///< Surface axes in the plant
   double friction = 0.0;  ///< Coefficient of friction in the plant
   /// Half the side length of the square surface around the path's origin; infinite: no edges [m]
   double extent = std::numeric_limits<double>::infinity();
@@ -89,7 +89,7 @@ struct PageSurface {
 /// consecutive plans.
 struct PageSolver {
   Eigen::VectorXd time = {};      ///< Times of the plans [s]
-  Eigen::VectorXd solve_ms = {};  ///< Computing times [ms]
+  Eigen::VectorXd solve_ms = {};  ///< Durations of the computations of plans [ms]
   Eigen::VectorXd iterations = {}, missed = {};
   double period_ms = 0.0;                  ///< Time between two plans [ms]
   std::optional<double> deadline_ms = {};  ///< Deadline; none: no deadline [ms]
@@ -102,7 +102,7 @@ struct PageFault {
   std::string text;  ///< Description in one sentence
 };
 
-/// Scalar constraint along a planned motion: an entry per row of the page; NaN: no constraint.
+/// Scalar constraint along a planned motion, with an entry per row of the page. NaN: no constraint.
 struct PageLimit {
   std::string name;
   Eigen::VectorXd margin;      ///< Distance to the nearest limit, divided by the scale [-]
@@ -157,8 +157,8 @@ struct RunPage {
 /// Maximum size of a page.
 struct PageSize {
   int max_rows = 8000;         ///< Number of rows
-  double max_megabytes = 6.0;  ///< Columns and envelopes, as text [MB]
-  int max_plans = 4000;        ///< Entries of PageSolver
+  double max_megabytes = 6.0;  ///< Size of columns and envelopes as text [MB]
+  int max_plans = 4000;        ///< Number of entries of PageSolver
 };
 
 /// Returns the part of a surface around the surface point nearest to `middle` [m]. The part is a

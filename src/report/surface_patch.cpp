@@ -12,8 +12,8 @@ namespace {
 constexpr int patch_side = 33;
 // Maximum angle between the normals in the middle and at the rim, chosen by hand [rad].
 constexpr double max_turn = 2.0;
-// Minimum cosine between the normal in the middle and any other normal. Below it, the projection of
-// a square does not show the surface. Chosen by hand.
+// Minimum cosine of the angle between the normal in the middle and any other normal. With a smaller
+// cosine, the projection of a square does not show the surface. Chosen by hand.
 constexpr double min_cosine = 0.3;
 
 /// Point on a surface, with two tangents that are transported along the surface without spin.

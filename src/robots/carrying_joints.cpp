@@ -28,8 +28,8 @@ std::vector<std::string> carrying_joints(const TreeSpec& tree, std::string name)
                                    [&](const LinkSpec& link) { return link.name == name; });
   std::set<std::string> names;
   const JointSpec* joint = among(is_link ? by_child : by_name, name);
-  // Both loops have a limited number of steps, so that a cycle of joints ends them. build_model()
-  // rejects cycles later.
+  // The two nested loops have a limited number of iterations, so that they end for a cycle of
+  // joints. build_model() rejects cycles later.
   for (std::size_t i = 0; joint != nullptr && i < tree.joints.size(); ++i) {
     const JointSpec* moving = joint;
     for (std::size_t k = 0; moving != nullptr && moving->mimic && k < tree.joints.size(); ++k)

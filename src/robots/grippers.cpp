@@ -10,7 +10,7 @@
 namespace burnish {
 namespace {
 
-/// Smallest number of joints that carry a hand. Fewer joints carry a head, legs or other arms.
+/// Smallest number of joints that carry a hand. A branching link behind fewer joints is a torso.
 constexpr int min_carrying = 2;
 /// Largest number of joints of a finger in series: thumbs of anthropomorphic hands have five.
 constexpr int max_finger_joints = 5;
@@ -32,8 +32,8 @@ struct Node {
   std::vector<int> children = {};
 };
 
-/// Returns true if the names of joint or link suggest a finger. Excludes wrists, which may be named
-/// after the gripper that they turn.
+/// Returns true if the name of the joint or of its link suggests a finger. Excludes wrists, which
+/// may be named after the gripper that they turn.
 bool is_named_finger(const JointSpec& joint) {
   const std::string name = lower_case(joint.name), link = lower_case(joint.child_link);
   if (has_one_of(name, {"roll", "rot", "wrist", "yaw", "pitch"})) return false;
@@ -68,7 +68,7 @@ class Branches {
     for (const Node& node : nodes_)
       if (node.children.empty() && node.depth > min_carrying && is_named_finger(*node.joint))
         names.insert(node.joint->name);
-    // A follower of an arm joint moves with the arm and cannot be held.
+    // A mimic joint whose leader is an arm joint moves with the arm, so it is not a finger.
     std::erase_if(names, [&, all = names](const std::string& name) {
       const auto node = std::find_if(nodes_.begin(), nodes_.end(),
                                      [&](const Node& of) { return of.joint->name == name; });

@@ -26,7 +26,7 @@ JointSpec& moving_joint(TreeSpec& tree, const std::string& name, const std::stri
   return *joint;
 }
 
-/// Removes the warning about a file's limit of 0, which the limit of the settings replaces.
+/// Removes the warning about a limit of 0 in the description, which the settings replace.
 void drop_warning(TreeSpec& tree, const std::string& joint, const char* limit) {
   const std::string words = "joint " + in_quotes(joint) + ": <limit> has '" + limit + "' = 0";
   std::erase_if(tree.warnings, [&](const std::string& warning) {

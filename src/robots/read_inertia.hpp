@@ -7,7 +7,7 @@
 namespace burnish {
 
 /// Reads {mass, com, inertia} [kg, m, kg m^2]. The inertia is about com: [xx, xy, xz, yy, yz, zz],
-/// or three moments along the axes. The map may also have the keys `also`. Throws Error for an
+/// or three moments along the axes. `also`: further keys of the map. Throws Error for an
 /// inertia that no solid has.
 InertiaSpec read_inertia(const document::Reader& reader, const std::vector<std::string>& also = {});
 /// Reads {frame, mass, com, inertia}. The payload is fixed to the frame, and its values are in the

@@ -71,8 +71,8 @@ std::vector<TraceColumn> wrench_on(const std::string& support) {
 
 using Matrix6 = Eigen::Matrix<double, 6, 6>;
 
-/// Gains of the spring and damper of a hoist, along and about the world's axes. The spring is stiff
-/// relative to forces of a robot's legs, well damped, and slow relative to a plant's step.
+/// Gains of the spring and damper of a hoist, along and about the world's axes. Leg forces of the
+/// robot stretch the spring little. Oscillations are well damped and slow relative to plant steps.
 struct HoistGains {
   explicit HoistGains(double mass) {
     // Chosen by hand.
@@ -240,7 +240,7 @@ struct ClosedLoop::Impl {
   Sensing sensing;
   std::optional<EstimatedBase> estimated;
   RigidBody body;
-  std::vector<TracedTool> tools;  ///< Touches that are not supports.
+  std::vector<TracedTool> tools;  ///< Touches (tools or feet) that are not supports.
   std::vector<int> pushed;        ///< Frames on which pushes act.
   FrameDerivatives motion;
   HoistSpec hoist;
@@ -353,8 +353,8 @@ void ClosedLoop::Impl::hang() {
   const HoistGains gains(body.mass());
   const double dt = plant->dt();
   const Matrix6 step = (dt * gains.damping + dt * dt * gains.stiffness).asDiagonal();
-  // Largest gain per step for which the step is explicit. Explicit steps are accurate up to a gain
-  // of 0.5, and unstable from 2 on.
+  // Largest gain per step for which the hoist's step is explicit. Explicit steps are accurate up to
+  // a gain of 0.5, and unstable from 2 on.
   constexpr double max_explicit_gain = 0.5;
   const Matrix6 stepped = step * mobility_of(plant->model(), body, hung, plant->q());
   implicit_factor.setIdentity();

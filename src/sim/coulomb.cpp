@@ -8,12 +8,12 @@
 namespace burnish {
 namespace {
 
-constexpr int max_sweeps = 100;      // chosen by hand
+constexpr int max_sweeps = 100;      // largest number of Gauss-Seidel sweeps, chosen by hand
 constexpr double tolerance = 1e-10;  // largest change of a force in the last sweep [Nm or N]
 
-/// Returns the friction force for a motion whose speed at the end of the step is `speed` without
-/// friction. `w`: change of this speed per unit of force. The force stops the motion if it is large
-/// enough.
+/// Returns the friction force for a motion whose speed at the end of the step would be `speed`
+/// without friction. `w`: change of this speed per unit of force. The force stops the motion if
+/// Coulomb friction is large enough.
 double friction_against(double speed, double w, double viscous, double coulomb) {
   if (std::abs(speed) <= w * coulomb) return -speed / w;
   const double slowed = speed - std::copysign(w * coulomb, speed);

@@ -64,7 +64,7 @@ Disturbances disturbance_preset(const std::string& name) {
                 "; wanted none, sensors, mismatch or joint_friction" + did_you_mean(name, names));
   Disturbances result;
   if (name == "none") return result;
-  constexpr double cutoff = 100.0 * std::numbers::pi;  // 50 Hz [rad/s]
+  constexpr double cutoff = 100.0 * std::numbers::pi;  // 50 Hz, as an angular frequency [rad/s]
   result.command_delay = 1e-3;
   result.torque_noise = 0.05;
   // Reduces the noise of small motors. The weakest motor of Talos (4 Nm) still has the full noise

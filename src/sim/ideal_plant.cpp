@@ -85,7 +85,7 @@ struct Workspace {
     M = Eigen::MatrixXd::Zero(model.nv, model.nv);
   }
   Eigen::VectorXd q, v;          ///< State at a stage
-  Eigen::VectorXd u, rate;       ///< Increment since the start of the step, and its rate
+  Eigen::VectorXd u, rate;       ///< Increment of q since the start of the step, and its rate
   Eigen::VectorXd u_sum, a_sum;  ///< Weighted sums of rates over the stages
   Eigen::VectorXd tau;           ///< Torques during the step, with friction
   Eigen::VectorXd total;         ///< Torques at a stage: tau plus spring torques
@@ -131,14 +131,14 @@ class IdealPlant final : public Plant {
   std::array<const Eigen::VectorXd*, 5> vectors() const {
     return {&q_, &v_, &friction_, &coulomb_.joint_torque(), &coulomb_.torque()};
   }
-  /// Numbers of a snapshot before its vectors: steps, contact, sliding force, wrench.
+  /// Count of the numbers before the vectors in a snapshot: steps, contact, sliding force, wrench.
   static constexpr int snapshot_numbers = 10;
   int snapshot_size() const { return snapshot_numbers + model_.nq + 4 * model_.nv; }
 
   Model model_;
   Tree tree_;
   SceneSpec scene_;
-  TouchSpec touch_;  ///< The touch of the scene; without a frame, if the scene has none.
+  TouchSpec touch_;  ///< Touch (tool or foot) of the scene; without a frame for an empty scene
   IdealPlantOptions options_;
   Eigen::Matrix3d axes_;  ///< Axes of the surface: two tangents, then the normal
   ContactDynamics dynamics_;
@@ -155,7 +155,7 @@ class IdealPlant final : public Plant {
   Eigen::VectorXd q_next_, v_next_;
   bool touching_ = false;   ///< True if the contact is active
   double impulse_ = 0.0;    ///< Normal impulse of an impact in this step [Ns]
-  double force_sum_ = 0.0;  ///< Weighted mean of the normal force over integrate() [N]
+  double force_sum_ = 0.0;  ///< Mean normal force over the time of integrate() [N]
   Eigen::Matrix3d R_tip_ = Eigen::Matrix3d::Identity();  ///< Axes of the tip at the step's start.
   Wrenches wrenches_;
   /// Torques of friction, and of springs at the start of the step.

@@ -12,8 +12,8 @@ namespace {
 
 /// Ratio of the largest speed during a run to the standard deviation of the speed before control
 /// reacts. A normal variable exceeds four deviations once in 16 000 draws, about the number of
-/// draws in a run. The speed grows further by up to the factor 1.6 because MPC reacts late (xArm7
-/// 1.4, SO-101 1.4 to 1.6).
+/// draws in a run. The factor 1.6 is the further growth of the speed because MPC reacts late
+/// (measured: 1.4 for xArm7, 1.4 to 1.6 for SO-101).
 constexpr double deviations = 4.0 * 1.6;
 /// Time in which a typical motor accelerates its own rotor from rest to its speed limit [s]; chosen
 /// by hand.

@@ -11,10 +11,10 @@
 
 namespace burnish {
 
-/// Light joint. Units are given for a revolute joint.
+/// Light joint. The units below apply to a revolute joint.
 struct LightJoint {
   std::string joint;
-  int v = 0;  ///< Entry of v
+  int v = 0;  ///< Index of the joint's velocity in the velocity vector
   /// Inertia about the joint axis, with the other joints free to move [kg m^2].
   double inertia = 0.0;
   double noise = 0.0;  ///< Standard deviation of the torque noise [Nm]

@@ -24,8 +24,8 @@ struct TipStep {
 
 /// Returns the force on the tip, in world axes [N]; 0 if the tip is not in the material. The normal
 /// force is max(0, K d - D v_n), with the depth d and the normal velocity v_n at the end of the
-/// step. The friction stops the sliding if it can. Otherwise, it is mu times the normal force,
-/// opposite to the sliding velocity at the end of the step.
+/// step. If friction of at most mu times the normal force can stop the sliding, it does. Otherwise,
+/// friction has this magnitude, opposite to the sliding velocity at the end of the step.
 Eigen::Vector3d penalty_force(const PenaltyContact& contact, const TipStep& tip) noexcept;
 
 }  // namespace burnish

@@ -48,7 +48,7 @@ void check_surface(const Model& model, const TouchSpec& touch, const std::string
                 " m, the smallest concave radius");
 }
 
-/// Returns why no support can stand on the surface, such as "moves"; empty if supports can.
+/// Returns the reason why the surface cannot carry feet, such as "moves"; empty if it can.
 std::string unfit_for_supports(const SurfaceSpec& surface) {
   if (!surface.frame.empty()) return "is carried by frame " + in_quotes(surface.frame);
   if (!surface.motion.is_at_rest()) return "moves";
@@ -155,7 +155,7 @@ double HoistSpec::load_fraction(double time) const noexcept {
 }
 
 bool acts_at(double start, double duration, double time) noexcept {
-  // Rounding error of the plant's time, a multiple of its step [s].
+  // Tolerance for rounding errors of `time`, which is computed as a multiple of the step [s].
   constexpr double rounding = 1e-9;
   const double now = time + rounding;
   return now >= start && now < start + duration;

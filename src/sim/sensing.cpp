@@ -92,7 +92,7 @@ const Measurement& Sensing::measure(const Plant& plant, const ConstVectorRef& ap
   return seen;
 }
 
-/// Returns the measurement from measurement_delay ago, with the current time as its time.
+/// Returns the measurement taken `measurement_delay` ago. Only its time stamp is the current time.
 const Measurement& Sensing::delayed() noexcept {
   if (late_.empty()) return measurement_;
   if (!started_)
@@ -135,7 +135,7 @@ void Sensing::measure_velocity(const Plant& plant) noexcept {
     for (double& entry : v) entry += disturbances_.velocity_noise * random_->velocity.normal();
 }
 
-/// Noise acts before the low-pass filter, which starts at the first reading.
+/// Adds noise to the wrenches, then filters them. The low-pass filter starts at the first reading.
 void Sensing::measure_wrenches(const Plant& plant) noexcept {
   const double gain = started_ ? low_pass(disturbances_.force_cutoff, elapsed_) : 1.0;
   const auto noise = [](double deviation, RandomStream& stream) {
@@ -148,7 +148,7 @@ void Sensing::measure_wrenches(const Plant& plant) noexcept {
     const int count = components == WrenchSensor::None    ? 0
                       : components == WrenchSensor::Force ? 3
                                                           : 6;
-    if (!started_) measured.head(count).setZero();  // NaN, or a value before reset()
+    if (!started_) measured.head(count).setZero();  // Clears NaN or a value from before reset()
     for (int k = 0; k < count; ++k) {
       const double error = components == WrenchSensor::Force
                                ? noise(disturbances_.force_noise, random_->force)

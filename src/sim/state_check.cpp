@@ -7,7 +7,7 @@
 namespace burnish {
 namespace {
 
-// Tolerance of squared lengths, equal to the tolerance in the contact kernels.
+// Tolerance of the squared norm of unit entries of q; equal to the tolerance of contact kernels.
 constexpr double tolerance = 2e-6;
 
 bool is_unit(const ConstVectorRef& q, int first, int size) {

@@ -20,7 +20,7 @@ inline Eigen::Vector3d vector_of(const Eigen::Matrix3d& R) {
   return turn.angle() * turn.axis();
 }
 
-/// Motion of a tool and of its surface. `measured`: frames of the columns of Measurement::wrenches.
+/// Motion of a tool and of the surface that it touches.
 struct TracedTool {
   TracedTool(const SceneSpec& scene, Eigen::Index index, const RigidBody& body,
              const std::vector<std::string>& measured)
@@ -54,8 +54,8 @@ struct TracedTool {
     return surface_world.linear() * normal_at(surface, p_tool - moved * surface.normal);
   }
 
-  Eigen::Index touch;        ///< Index in SceneSpec::touches.
-  Eigen::Index column = -1;  ///< Column of Measurement::wrenches; -1: none.
+  Eigen::Index touch;        ///< Index of the tool in SceneSpec::touches.
+  Eigen::Index column = -1;  ///< Column of Measurement::wrenches for the tool; -1: not measured.
   SurfaceSpec surface;
   int frame = -1;
   int carrier = -1;  ///< Frame that carries the surface; -1: the world.

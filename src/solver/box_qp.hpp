@@ -20,8 +20,8 @@ struct BoxProblem {
 };
 
 struct BoxQpResult {
-  /// False if Q, restricted to the free entries, is not positive definite or not finite. Then x is
-  /// the best point so far.
+  /// False if Q, restricted to entries away from the bounds, is not positive definite or not
+  /// finite. In this case, x is the best point found.
   bool positive_definite = true;
   int iterations = 0;  ///< Number of Newton steps
 };

@@ -45,7 +45,7 @@ bool DdpSolver::Impl::corrected_trial() {
   summary.seconds.backward += since(from);
   limited_result.factorizations += factorizations;
   if (!solved) {
-    summary.knot = summary.control = -1;  // The uncorrected step remains in use
+    summary.knot = summary.control = -1;  // Not a failure: the uncorrected step remains in use
     return false;
   }
   swap_step();

@@ -35,7 +35,7 @@ double DdpSolver::Impl::multiplier_estimate(int knot, int row) const {
                                                                         row_uppers[k][row]);
 }
 
-/// Adds the curvature once per expansion, because the recursion may be repeated.
+/// Adds the rows' curvature to the Hessians, unless a previous recursion has already done so.
 void DdpSolver::Impl::add_curvatures() {
   if (has_curvature) return;
   has_curvature = true;

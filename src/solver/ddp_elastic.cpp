@@ -6,10 +6,10 @@
 // become hard again with a larger L1 weight. If the violations do not decrease, they are the
 // smallest possible ones.
 //
-// If the steps find no such minimum, the linear model decides. Violations are stationary if they do
-// not decrease for some iterations, and the linear model does not reduce them with the largest L1
-// weight either (test of Byrd, Curtis and Nocedal, Infeasibility detection and SQP methods for
-// nonlinear optimization, SIAM J. Optim. 20 (2010)).
+// If the steps find no such minimum, a test on the linear model decides whether the violations are
+// the smallest possible ones. They are, if they do not decrease for some iterations, and the linear
+// model does not reduce them with the largest L1 weight either (test of Byrd, Curtis and Nocedal,
+// Infeasibility detection and SQP methods for nonlinear optimization, SIAM J. Optim. 20 (2010)).
 #include <algorithm>
 #include <cmath>
 

@@ -43,10 +43,10 @@ struct Iterate {
 
 /// Quadratic model of the cost along the search direction.
 struct Direction {
-  /// d1: derivative of the cost with respect to the step length, at length 0. accept_rollout() adds
-  /// the part of the remaining gaps. With constraint rows, the derivative of the merit function
+  /// d1: derivative of the cost (with constraint rows: of the merit function) with respect to the
+  /// step length, at length 0. accept_rollout() adds the contribution of the gaps.
   double slope = 0.0;
-  double curvature = 0.0;  ///< d2: curvature along the direction
+  double curvature = 0.0;  ///< d2: second derivative with respect to the step length
   /// For StepUpdate::MultipleShooting: slope of the cost, and change of cost that the model
   /// predicts for a whole step
   double cost_slope = 0.0, model_change = 0.0;
@@ -206,14 +206,14 @@ struct DdpSolver::Impl {
   std::vector<int> failures;       ///< Knot at which each segment failed; -1: none
   std::vector<RiccatiStep> steps;  ///< Result of the recursion at each knot
 
-  // Constraint rows; null if the problem has none.
+  // Solver of linear-quadratic problems with constraint rows; null if the problem has no rows.
   std::unique_ptr<LimitedLq> limited;
   int rows_max = 0;
   std::vector<int> row_counts;
-  std::vector<int> coefficient_counts;  ///< Number of each knot's rows with coefficients
+  std::vector<int> coefficient_counts;  ///< Number of rows with coefficients at each knot
   std::vector<int> row_slots;           ///< Index of each row within the rows of `limited`
-  std::vector<const double*> row_lowers, row_uppers;  ///< Limits of each knot
-  std::vector<LimitedLq::Rows> row_views;             ///< Rows of each knot within `limited`
+  std::vector<const double*> row_lowers, row_uppers;  ///< Limits of the rows at each knot
+  std::vector<LimitedLq::Rows> row_views;             ///< Row data of each knot in `limited`
   /// Properties of rows, rows_max entries per knot. row_inverses holds 1 / row_scales.
   std::vector<double> row_scales, row_inverses, row_l1_weights, row_quadratic_weights;
   std::vector<double> row_multipliers;  ///< Multipliers of the last solve, rows_max per knot
@@ -226,18 +226,18 @@ struct DdpSolver::Impl {
   double limit_resolution = 0.0;
   bool at_resolution = false;  ///< The last expected improvement was at most limit_resolution
   Buffer corrected_gaps, kept_dxs, kept_dus;  ///< Memory of the second-order correction
-  /// The last whole step was rejected; the next one is tried without derivatives
+  /// The last whole step was rejected. The next whole step is evaluated without derivatives.
   bool refused = false;
   /// Elastic mode: hard rows have no multipliers, and violations have a quadratic penalty only.
   struct Elastic {
     bool on = false;
     double weight = 0.0;      ///< Quadratic penalty weight, in units of row_unit / scale^2
     double violation = -1.0;  ///< Violation at the last minimum; -1: no minimum yet
-    bool stays = false;       ///< Violations remain at the largest weight
+    bool stays = false;       ///< Violations persist even with the largest weight
     int lost = 0;             ///< Consecutive iterations that could not satisfy all rows
     int stood = 0;            ///< Iterations without expected improvement but with violations
     int still = 0;            ///< Consecutive iterations without a decrease of the violations
-    double still_from = 0.0;  ///< Sum of violations at the first of the still iterations
+    double still_from = 0.0;  ///< Sum of violations at the first iteration counted by `still`
   } elastic;
   bool has_curvature = false;   ///< The Hessians of `expansions` contain the constraint curvature
   double cost_unit = 1.0;       ///< curvature_unit() without constraint curvature

@@ -73,7 +73,8 @@ bool DdpSolver::Impl::judge_direction(bool& again) {
     if (again || elastic.on) return !out_of_time() || stop(StopReason::TimeBudget);
   }
   const bool feasible = current.feasible && (!limited || keeps_limits(current));
-  // Takes one more Newton step if the constraint tolerance alone could explain the improvement.
+  // An expected improvement below stop_tolerance + limit_resolution may be an effect of the
+  // constraint tolerance. One more Newton step shows whether it is.
   const bool gains = summary.expected_improvement >= options.stop_tolerance;
   const bool unresolved = gains && !std::exchange(at_resolution, true);
   if (!feasible || summary.expected_improvement >= options.stop_tolerance + limit_resolution)

@@ -181,8 +181,8 @@ double DdpSolver::Impl::curvature_unit() const {
   return count > 0 && sum > 0.0 ? sum / count : 1.0;
 }
 
-/// Sets weight, l1_weight and beyond of all rows (LimitedLq::Rows). The L1 weight of a row without
-/// a multiplier is zero.
+/// Sets `weight`, `l1_weight` and `beyond` of all rows (LimitedLq::Rows). The L1 weight of a row
+/// without a multiplier is zero.
 void DdpSolver::Impl::set_row_weights() {
   const double unit = cost_unit;
   if (row_unit == 0.0) row_unit = unit;

@@ -41,8 +41,8 @@ bool DdpSolver::Impl::can_be_cut() const {
   return true;
 }
 
-/// Sweeps the knots of a segment, from the value function after the segment. If `parametric`, the
-/// result depends on the multiplier at the segment's end. Returns the knot that failed, or -1.
+/// Sweeps the knots of a segment backwards from the value function `after` at its end. With
+/// `parametric`, the multiplier at the end is a parameter. Returns the knot that failed, or -1.
 int DdpSolver::Impl::sweep_segment(int segment, const ValueStorage& after, bool parametric) {
   const auto j = to_size(segment);
   ParametricSegment& part = *parts[j];

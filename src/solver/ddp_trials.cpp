@@ -54,8 +54,8 @@ bool DdpSolver::Impl::roll_trial(double length, double& gap_improvement) {
   return true;
 }
 
-/// Accepts a rollout if the cost falls by a fraction of the expected improvement, or if the iterate
-/// has gaps. If a rise is expected, the cost may rise by a multiple of the expected rise.
+/// Accepts a rollout if the cost falls by a fraction of the expected decrease. An iterate with gaps
+/// may rise in cost. If a rise is expected, the cost may rise by a multiple of the expected rise.
 bool DdpSolver::Impl::accept_rollout(double length, double gap_improvement) const {
   // Converts the gap contribution from a step of `length` to a step of length one.
   const double whole = gap_improvement / length;

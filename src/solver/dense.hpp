@@ -138,8 +138,8 @@ void product(Left a, Rows b, int count, int m, int n, MutableRows c) {
 
 namespace detail {
 
-/// Adds x^T B to C SIMD vectors of `out`. With one sum per vector, each addition would wait for the
-/// previous one, so the products of each vector are spread over `parts` independent sums.
+/// Adds x^T B to `C` SIMD vectors of `out`. With one sum per vector, each addition would wait for
+/// the previous addition. The products of a vector are therefore spread over `parts` sums.
 template <int C>
 void row_tile(const double* x, Rows b, int count, double* out) {
   constexpr int parts = C == 1 ? 4 : 2;

@@ -29,7 +29,7 @@ Lane limit_of(const RowArrays& rows, double sign, int r) {
 Lane distance(const RowArrays& rows, double sign, int r, const Lane& y) {
   return Lane(sign) * (limit_of(rows, sign, r) - y);
 }
-/// Returns 1 for rows with a weight, unequal limits, and a finite limit on this side.
+/// Returns 1 for rows with a weight, unequal limits, and a finite limit on the side `sign`.
 Lane exists(const RowArrays& rows, double sign, int r) {
   const Lane weighted = select(less(zero(), load(rows.weight + r)), Lane(1.0), zero());
   const Lane limited =
@@ -70,8 +70,8 @@ void InteriorRows::start(int at, const RowArrays& rows, int r, const Lane& scale
     const Lane m =
         select(has_l1_weight, select(less(wanted, max_multiplier), wanted, max_multiplier), wanted);
     const Lane n = select(has_l1_weight, l1_weight - m, target / scale);
-    // If `infeasible`, the multipliers m and n of a violated row initially add up to the derivative
-    // of the cost of the violation.
+    // If `infeasible`, the sum m + n of the initial multipliers of a violated row is the derivative
+    // of the row's penalty by the violation.
     const Lane violation = s - d, lowest = from.infeasible ? zero() : Lane(-infinite_l1_weight);
     const auto begins = mask_and(mask_and(elastic, has_l1_weight), less(d, lowest));
     const Lane rest = clip(target / violation, Lane(min_fraction) * l1_weight, max_multiplier);

@@ -301,8 +301,8 @@ void LimitedLq::sweep(const LqHorizon& h, RiccatiRecursion& recursion) {
   }
 }
 
-/// Returns the change from the current multipliers to `next`, divided by weight and scale; 0 for
-/// rows without multipliers.
+/// Returns |next - multiplier| / (weight * scale) for a SIMD vector of rows; 0 for rows without
+/// multipliers.
 Lane LimitedLq::change_of(const Knot& mine, int r, const Lane& next) {
   const Lane weight = load(mine.weight + r), zero(0.0);
   const auto has_one = mask_and(less(zero, weight), less(zero, load(mine.l1_weight + r)));
@@ -310,8 +310,8 @@ Lane LimitedLq::change_of(const Knot& mine, int r, const Lane& next) {
   return select(has_one, absolute(next - load(mine.multiplier + r)) / unit, zero);
 }
 
-/// Updates the multipliers. Returns the largest change, divided by weight and scale. A multiplier
-/// that changes by more than `jump_threshold` jumps to its L1 weight.
+/// Updates the multipliers. Returns the largest change (see change_of()). A multiplier whose change
+/// exceeds `jump_threshold` jumps to its L1 weight.
 double LimitedLq::update_multipliers(const LqHorizon& h, double jump_threshold) {
   Lane largest(0.0);
   for (int k = 0; k <= N_; ++k) {
@@ -333,7 +333,7 @@ double LimitedLq::update_multipliers(const LqHorizon& h, double jump_threshold) 
   return largest_lane(largest);
 }
 
-/// Returns the change of multipliers that update_multipliers() would return.
+/// Returns the largest change that update_multipliers() would return, without updating.
 double LimitedLq::residual_left(const LqHorizon& h) const {
   Lane largest(0.0);
   for (int k = 0; k <= N_; ++k) {
@@ -359,7 +359,7 @@ void LimitedLq::raise_weights(const LqHorizon& h) {
 class LimitedLq::GrowthWatch {
  public:
   enum class Cure { None, Weights, Interior, Jump };
-  /// Returns the remedy to apply; called at each minimum of the pieces.
+  /// Returns the remedy to apply. Called after each step that left all rows on their pieces.
   Cure look(const LimitedLqResult& result) {
     constexpr int patience = 10, most_raises = 3;
     slow_ = result.sweeps > 0 && result.residual > 0.99 * residual_before_ ? slow_ + 1 : 0;

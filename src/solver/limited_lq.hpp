@@ -24,7 +24,7 @@ namespace burnish {
 struct LqHorizon {
   std::span<const KnotExpansion> expansions;
   std::span<const int> controls;  ///< Number of controls of each knot; 0 at N
-  std::span<const int> rows;      ///< Number of rows with coefficients, of each knot
+  std::span<const int> rows;      ///< Number of rows with coefficients at each knot
   const double* gaps = nullptr;   ///< Gaps before each knot's dx, gap_stride entries apart
   double* hessian_gaps = nullptr;
   int gap_stride = 0;
@@ -67,7 +67,7 @@ class LimitedLq {
   /// Data of a knot's rows, first_row() + max_rows entries. A solve reads all data and writes the
   /// multipliers.
   struct Rows {
-    double* lower;  ///< Lower limit of C z: limit of the row minus its present value
+    double* lower;  ///< Lower limit of C z: limit of the row minus its value at z = 0
     double* upper;
     double* scale;      ///< Characteristic size of the row, in the row's unit
     double* weight;     ///< Weight of the augmented Lagrangian; 0: no limits

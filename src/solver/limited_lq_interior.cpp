@@ -20,7 +20,7 @@ namespace {
 /// Initial products s m and v n (interior_rows.hpp), divided by the mean of weight * scale^2 over
 /// the rows. The constants below are chosen by hand.
 constexpr double start_product = 1.0;
-/// Convergence: products and residuals below this fraction of their initial values.
+/// Largest ratio of products and residuals to their initial values that counts as convergence.
 constexpr double convergence = 1e-8;
 /// Initial and largest factor on the weights of equality rows. Larger weights give accurate
 /// multipliers sooner.

@@ -72,7 +72,7 @@ LimitedLq::Line LimitedLq::line(const LqHorizon& h) {
   return {elsewhere - curvature, curvature - of_rows};
 }
 
-/// Moves the trajectory to the minimum of the objective between the last and the current one.
+/// Moves to the trajectory of least objective between the last and the current trajectory.
 void LimitedLq::shorten(const LqHorizon& h) {
   const Line line = this->line(h);
   const double at_begin = force_along(h, 0.0);

@@ -22,7 +22,7 @@ void project_rows(const StateShape& state, const KnotExpansion& e, const double*
 void multiply(const StateShape& state, const KnotExpansion& e, int controls, const double* z,
               double* scratch, double* next);
 
-/// Computes the remaining entries of next = F z from the part dv', which `next` already contains.
+/// Completes next = F z: computes all entries except the part dv', which `next` already contains.
 /// SecondOrder only.
 void complete_next(const StateShape& state, const KnotExpansion& e, int controls, const double* z,
                    double* scratch, double* next);

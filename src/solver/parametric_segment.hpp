@@ -11,8 +11,8 @@
 // and vx + X theta(0), Vxx + X dtheta/dx are the value function at the start of the segment.
 //
 // The method follows Wright (1991) and Nielsen and Axehill (2015), who condense segments in this
-// way. Here each segment is swept a second time once its end is computed. That costs less than
-// correcting the gains of the knots.
+// way. Here, a second sweep of each segment starts from its computed end. A second sweep costs less
+// than correcting the gains of the knots.
 #pragma once
 
 #include "solver/riccati.hpp"
@@ -53,14 +53,14 @@ class ParametricSegment {
   RiccatiLayout layout_;
   RiccatiRecursion recursion_;
   Value nothing_, joined_;
-  Buffer fx_[2];       ///< Z above X, before and after a knot
+  Buffer fx_[2];       ///< Rows of Z, then rows of X, before and after a knot
   Buffer projected_;   ///< T^T X: nv rows
   Buffer d_, r_;       ///< D, lower triangle
   Buffer transposed_;  ///< X^T
   Buffer system_;      ///< [1 + P D | P X^T | P r + p]
   int system_stride_;
-  int now_ = 0;       ///< Index into fx_
-  int controls_ = 0;  ///< rows of Z above X
+  int now_ = 0;       ///< Index of the latest entry of `fx_`
+  int controls_ = 0;  ///< Number of rows of Z in the latest entry of `fx_`
 };
 
 }  // namespace burnish

@@ -61,7 +61,7 @@ struct RiccatiRecursion::Knot {
   const ThreadTeam& team;
   Own& own;
   int nu, nz;
-  int through;    ///< Controls that act through a torque filter
+  int through;    ///< Number of controls that act through a torque filter
   Range columns;  ///< Columns of Y and G
   Range rows;     ///< Rows of Qxx
   Range gains;    ///< Columns of [K | k]
@@ -280,7 +280,7 @@ void RiccatiRecursion::add_to_states(const Knot& knot) {
   add_passed_controls_to_states(knot);
 }
 
-/// Adds the rows of E^T V E that belong to dq to Qxx.
+/// Adds to Qxx the rows of E^T V E that belong to dq.
 void RiccatiRecursion::add_passed_to_states(const Knot& knot) {
   const int qs = layout_.value_stride;
   const double* v = knot.next.hessian;
@@ -318,7 +318,7 @@ void RiccatiRecursion::add_passed_to_states(const Knot& knot) {
   add_rows(rows.end);
 }
 
-/// Adds the rows of E^T V E that belong to filtered torques to Qxx.
+/// Adds to Qxx the rows of E^T V E that belong to filtered torques.
 void RiccatiRecursion::add_passed_controls_to_states(const Knot& knot) {
   const int nv = state_.nv;
   const int qs = layout_.value_stride;
@@ -420,7 +420,7 @@ void RiccatiRecursion::reduce(const Knot& knot, const ValueStorage& value) {
   }
 }
 
-/// Writes the feedforward and the change of cost that it predicts.
+/// Writes the feedforward, and the change of cost that the quadratic model predicts for it.
 void RiccatiRecursion::conclude(const Knot& knot, bool bounded, const PolicyStorage& policy,
                                 RiccatiStep& result) {
   const bool alone = knot.team.alone();

@@ -35,7 +35,7 @@ struct RiccatiLayout {
   int expansion_rows;    ///< Rows of the Hessian's memory, at least nz
   int value_stride;      ///< Entries between the starts of rows of Vxx; entries of vx
   int gain_stride;       ///< Entries between the starts of rows of K
-  int spare;             ///< Entries of every block of memory after its last row
+  int spare;             ///< Number of unused entries after the last row of each memory block
 };
 
 /// Value function V(dx) = gradient^T dx + 1/2 dx^T hessian dx + constant, where dx = x (-) the
@@ -74,8 +74,8 @@ struct RiccatiKnot {
   int controls;
   const double* gap;     ///< End of the step minus the next state of the iterate, ndx entries
   ValueStorage next;     ///< Value function of the next knot, read
-  PolicyStorage policy;  ///< Written
-  ValueStorage value;    ///< Written
+  PolicyStorage policy;  ///< Policy of this knot, written
+  ValueStorage value;    ///< Value function of this knot, written
   double* hessian_gap;   ///< Vxx' gap, value_stride entries, written
 };
 
@@ -163,7 +163,7 @@ class RiccatiRecursion {
   Buffer w_next_;  ///< w = vx' + Vxx' gap
   Buffer l_;       ///< [L | l] of a team; a single worker keeps it in Y
   Buffer box_lower_, box_upper_;
-  Buffer column_;  ///< Feedforward, one vector per control
+  Buffer column_;  ///< Feedforward, one SIMD vector per control
   std::vector<Own> own_;
   BoxQp box_qp_;
 };

@@ -14,7 +14,7 @@ namespace {
 
 using tinyxml2::XMLElement;
 
-/// Value of one <joint> element of a state.
+/// Value of one <joint> element of a <group_state>.
 struct Value {
   std::string joint;
   std::vector<double> numbers;

@@ -61,7 +61,7 @@ void check_macros(const XMLElement& robot, Findings& findings) {
 }
 
 /// Reads links and joints. Returns false if a link or joint could not be read. A check of the
-/// incomplete topology would report errors that the file does not have.
+/// topology would in this case report errors that the file does not have.
 bool read_elements(const XMLElement& robot, TreeSpec& tree, Findings& findings) {
   const Colours colours = read_colours(robot);
   bool complete = true;

@@ -126,7 +126,7 @@ void read_limits(const XMLElement& element, const XmlPlace& place, JointSpec& jo
   if (has_range) read_range(*limit, place, joint, findings);
   if (joint.type == JointType::Continuous) warn_of_range(*limit, place, findings);
   read_largest(*limit, "velocity", place, joint.velocity_limit, findings);
-  // A follower has no motor. Its effort limit is added to the limit of its leader, and may be 0.
+  // A mimic joint has no motor. Its effort limit is added to its leader's limit, and may be 0.
   if (element.FirstChildElement("mimic") != nullptr)
     read_number(*limit, "effort", place, true, joint.effort_limit, findings);
   else

@@ -14,7 +14,7 @@ const tinyxml2::XMLElement& parse_xml(tinyxml2::XMLDocument& document, const std
                                       const std::string& source, const std::string& format,
                                       const std::string& wanted);
 
-/// Returns the outermost element. Throws Error if it is not <robot>, or as parse_xml() does.
+/// Returns the outermost element. Throws Error if it is not <robot>, or if parse_xml() throws.
 const tinyxml2::XMLElement& parse_robot_xml(tinyxml2::XMLDocument& document, const std::string& xml,
                                             const std::string& source, const std::string& format);
 

@@ -12,7 +12,7 @@
 
 namespace burnish {
 
-/// Place that messages name: the file, and the link or joint.
+/// Place in a URDF or SRDF file that error messages name: the file, and the link or joint.
 struct XmlPlace {
   std::string source;
   std::string element;  ///< Link or joint, such as "link 'arm_3'"

@@ -22,8 +22,8 @@ namespace {
 // Triple pole of the joint controller [rad/s]. The crossover frequency of the control loop is 60
 // rad/s, where a delay of 8 ms costs 30 degrees of phase margin.
 constexpr double home_pole = 20.0;
-// Limits at the end of the move: largest position error [rad (m)], and longest time to wait until
-// the error is smaller [s]. Chosen by hand.
+// Largest position error at the end of the move from home [rad (m)], and longest wait until the
+// error is below this value [s]. Chosen by hand.
 constexpr double home_tolerance = 0.01;
 constexpr double max_lateness = 2.0;
 
@@ -133,7 +133,7 @@ class HomeController final : public ControllerWrapper {
   bool started_ = false, is_over_ = false;
   double begin_ = 0.0, before_ = 0.0;  ///< Times of the first and the previous measurement [s].
   std::vector<Eigen::VectorXd> displacements_;  ///< Displacement from each corner to the next (nv).
-  Eigen::VectorXd q_;                           ///< Current target (nq).
+  Eigen::VectorXd q_;                           ///< Current target posture (nq).
   Eigen::VectorXd zero_, error_, integral_, response_, tau_, step_, effort_limit_;
   Eigen::MatrixXd M_;
 };

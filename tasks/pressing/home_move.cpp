@@ -64,10 +64,10 @@ void check_limits(const Model& model, const Eigen::VectorXd& q) {
     throw EntryError("home", beyond + "; wanted another posture, or other values in home.joints");
 }
 
-/// Returns the shortest time of a leg of the move (the motion between two corners) within the
-/// velocity limits [s]. `fastest`: receives the entry of v that needs this time.
+/// Returns the shortest duration of a leg of the move (the motion between two corners) within the
+/// velocity limits [s]. `fastest`: receives the entry of v that needs this duration.
 double time_at_limit(const Model& model, const Eigen::VectorXd& displacement, int& fastest) {
-  // Velocity limit of joints without a stated limit [rad/s (m/s)]. Chosen by hand.
+  // Velocity limit assumed for joints without one [rad/s (m/s)]. Chosen by hand.
   constexpr double usual = 1.0;
   double longest = 0.0;
   for (int k = 0; k < model.nv; ++k) {
@@ -81,14 +81,14 @@ double time_at_limit(const Model& model, const Eigen::VectorXd& displacement, in
   return longest;
 }
 
-/// Returns the factor on the duration of a leg of the move (the motion between two corners) that
-/// keeps its torques within 0.8 of the limits. The torques that accelerate the robot fall with the
-/// square of the duration.
+/// Returns the factor by which a leg of the move (the motion between two corners) must last longer
+/// so that torques stay within 0.8 of their limits. Torques of the motion are proportional to the
+/// inverse square of the duration.
 double stretch_for_torque(const Model& model, const Eigen::VectorXd& q_begin,
                           const Eigen::VectorXd& displacement, double duration) {
   constexpr int samples = 40;
   constexpr double torque_fraction = 0.8;  // default of ReachOptions::torque_share
-  // Smallest fraction of a torque limit that the motion may use; chosen by hand.
+  // Fraction of a torque limit that is always left for the motion; chosen by hand.
   constexpr double min_fraction = 0.1;
   constexpr double max_stretch = 5.0;  // largest returned factor; chosen by hand
   ContactDynamics dynamics(model);
@@ -179,7 +179,7 @@ std::optional<HomeMove> home_move(const HomeSpec& home, const Robot& robot,
 
 ReachReport check_home_move(const HomeMove& move, const Model& model, const SceneSpec& scene,
                             const ReachOptions& options) {
-  constexpr double spacing = 0.02;      // step of the joint that moves most [rad (m)]
+  constexpr double spacing = 0.02;      // step of the check at the joint that moves most [rad (m)]
   constexpr double max_steps = 1000.0;  // largest number of steps per leg of the move
   ReachWalk walk(model, scene, move.corners.back(), options);
   double passed = 0.0;

@@ -13,10 +13,9 @@
 namespace burnish {
 namespace {
 
-// Path speed above which the full friction is fed forward [m/s]. Chosen by hand.
+// Path speed above which the full friction force is fed forward [m/s]. Chosen by hand.
 constexpr double min_sliding_speed = 1e-3;
-// Largest distance between the tip and the moving point that pulls it to the surface [m]. Chosen by
-// hand.
+// Largest lag of the tip behind the moving set point of the approach [m]. Chosen by hand.
 constexpr double max_lag = 0.03;
 
 ImpedanceSpec checked(const Model& model, ImpedanceSpec spec) {
@@ -56,12 +55,12 @@ class ImpedanceController final : public Controller {
   /// Integral term of the position error along the surface, in world axes [m/s^2].
   Eigen::Vector3d position_integral_;
   bool saturated_ = false;  ///< True if a torque exceeded its limit at the last tick.
-  /// Distance of the tip behind the moving point that pulls it to the surface [m].
+  /// Lag of the tip behind the moving set point of the approach [m].
   double lag_ = 0.0;
   Eigen::VectorXd effort_limit_, zero_, tau_, posture_torque_, response_, error_;
   Eigen::MatrixXd M_, J_, inverse_M_Jt_;
   Eigen::LLT<Eigen::MatrixXd> factor_;
-  Eigen::LLT<Eigen::Matrix3d> inertia_;  ///< Factorization of J M^-1 J^T.
+  Eigen::LLT<Eigen::Matrix3d> inertia_;  ///< Factorization of J M^-1 J^T, J: tool Jacobian.
 };
 
 ImpedanceController::ImpedanceController(const Model& model, const ImpedanceSpec& spec)
@@ -129,7 +128,7 @@ Status ImpedanceController::update_model(const Measurement& measurement) {
   return inertia_.info() == Eigen::Success ? status : Status::SingularContacts;
 }
 
-/// Integrates the errors of force and position, starting at contact.
+/// Integrates the errors of force and position from the first contact on.
 void ImpedanceController::integrate(const TaskPoint& target) {
   if (follower_.phase() == Phase::Approach) return;
   if (follower_.touched()) {
@@ -149,7 +148,7 @@ void ImpedanceController::integrate(const TaskPoint& target) {
 }
 
 /// Returns the desired acceleration of the tip [m/s^2]. During the approach, a critically damped
-/// spring pulls the tip after a point that moves at the approach speed. Joint friction can
+/// spring pulls the tip towards a set point that moves at the approach speed. Joint friction can
 /// therefore delay the contact, but not prevent it.
 Eigen::Vector3d ImpedanceController::acceleration(const TaskPoint& target) {
   const Eigen::Vector3d& n = target.normal_world;
@@ -167,7 +166,7 @@ Eigen::Vector3d ImpedanceController::acceleration(const TaskPoint& target) {
   return wanted + (normal - n.dot(wanted)) * n;
 }
 
-/// Returns the desired force of the tool, in world axes [N].
+/// Returns the force at the tool that joint torques must produce, in world axes [N].
 Eigen::Vector3d ImpedanceController::tool_force(const TaskPoint& target) {
   // Without joint accelerations, the acceleration of the tip is dJ/dt v.
   const Eigen::Vector3d drift = body_.acceleration(tool_, Reference::centered()).head<3>();
@@ -185,7 +184,7 @@ void ImpedanceController::add_posture(const Measurement& measurement) {
   difference_configuration(tree_, measurement.q.data(), spec_.path.posture.data(), error_.data());
   for (int i = 0; i < tree_.nv; ++i)
     response_[i] = spec_.gains.posture_kp * error_[i] - spec_.gains.posture_kd * measurement.v[i];
-  // Adds the torque for the accelerations response_, projected into the null space of the tool:
+  // Adds the torque for accelerations `response_`, projected into the null space of the tool:
   // (M - J^T L J) response_ with L = (J M^-1 J^T)^-1, mass matrix M and tool Jacobian J.
   multiply(M_, response_, posture_torque_);
   Eigen::Vector3d tool_response;

@@ -13,8 +13,8 @@ namespace burnish::pressing {
 namespace {
 
 /// Smallest inertia of a joint that can be held still [kg m^2 (kg)]. The shipped disturbances have
-/// a white torque noise of 0.05 Nm, and the hold has a damping of 15 1/s. The speed of a joint with
-/// this inertia then has a standard deviation of 1 rad/s.
+/// a white torque noise of 0.05 Nm, and the holding controller has a damping of 15 1/s. Together,
+/// they give a joint of this inertia a speed with a standard deviation of 1 rad/s.
 constexpr double min_inertia = 3e-4;
 
 /// Returns whether each entry of v (nv) belongs to the base or to a joint between the base and a
@@ -35,7 +35,7 @@ constexpr double max_finger_mass = 0.01;
 /// Returns whether each joint of the model belongs to a finger.
 std::vector<bool> are_of_fingers(const Model& model) {
   const std::size_t count = model.joints.size();
-  // By joint: mass of its body and of all descendants of this body [kg].
+  // Mass of each joint's body, including all descendants of this body [kg].
   std::vector<double> carried(count, 0.0);
   for (std::size_t i = count; i-- > 0;) {  // backwards, because parents come before their children
     carried[i] += model.joints[i].mass;

@@ -8,7 +8,7 @@
 namespace burnish::pressing {
 namespace {
 
-constexpr double touch_window = 5e-3;  // window of touch_, the ContactDetector [s]; chosen by hand
+constexpr double touch_window = 5e-3;  // time window of the contact detector [s]; chosen by hand
 
 /// Returns the cubic from 0 to 1 over unit time, at rest at both ends.
 double smooth(double s) {

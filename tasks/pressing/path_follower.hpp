@@ -11,10 +11,10 @@
 
 namespace burnish::pressing {
 
-/// Returns `path` with its normal scaled to length one. Throws Error for an empty task, for a
-/// posture that does not fit the model, and for numbers of `spec` that are out of range. The
-/// messages begin with the name of the controller. `spec`: specification of the controller, which
-/// contains `path`. `description`: description of `spec`.
+/// Returns `path` with its normal scaled to length one. Throws Error for an unset `task`, a
+/// posture that does not fit the model, and numbers of `spec` that are out of range. The messages
+/// begin with the name of the controller. `spec`: specification of the controller, which contains
+/// `path`. `description`: description of `spec`.
 PressingPath checked_path(const Model& model, const PressingPath& path,
                           const Description& description, const void* spec,
                           const std::string& controller);

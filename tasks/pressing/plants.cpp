@@ -32,7 +32,7 @@ std::unique_ptr<Plant> make_plant(PlantKind kind, const Model& model, const Scen
 }
 
 double plant_step(double control_period) {
-  constexpr double max_step = 5e-4;  // largest step of a plant [s]
+  constexpr double max_step = 5e-4;  // largest integration step of a plant [s]
   return control_period / std::max(1.0, std::ceil(control_period / max_step - 1e-9));
 }
 

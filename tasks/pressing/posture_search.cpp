@@ -28,18 +28,18 @@ bool is_limited(const Model& model, const Joint& joint) {
 struct Candidate {
   Eigen::VectorXd q;
   double tilt = 0.0, margin = 0.0, off = 0.0, torque = 0.0;
-  double body = 0.0;            ///< Distance between the critical parts of the robot [m].
+  double body = 0.0;            ///< Distance between two robot parts, see measure_body() [m].
   double body_wanted = 0.0;     ///< Required distance between these parts [m].
   double manipulability = 0.0;  ///< Smallest singular value of the tool's Jacobian [m].
 };
 
-/// Weights of two aims of a search step: to turn the tool's axis to its target, and to move joints
+/// Weights of two goals of a search step: to turn the tool's axis to its target, and to move joints
 /// towards the middle of their ranges.
 struct Balance {
-  double damping;  ///< Damping of the axis error; infinite: the axis is ignored [rad].
+  double damping;  ///< Damping of the axis error [rad]; infinite: the axis is ignored.
   double middle;  ///< Fraction of the distance to the middle of the joint ranges that a step moves.
 };
-// Chosen by hand.
+// Weights that the search tries from each starting posture, chosen by hand.
 constexpr Balance balances[] = {{0.05, 0.0}, {0.05, 0.02}, {1.0, 0.05}};
 
 struct SearchInput {
@@ -150,8 +150,8 @@ class Search {
     return *place_.point_world - (place_.tip_radius + place_.clearance) * into_;
   }
 
-  /// Returns one damped step towards the target axis and position. In its null space, joints move
-  /// towards the middle of their ranges.
+  /// Returns one damped step towards the target axis and position. In the null space of the
+  /// tool's motion, joints move towards the middle of their ranges.
   Eigen::VectorXd step_from(const Eigen::VectorXd& q, const Balance& balance) {
     constexpr double place_damping = 0.05;  // damping of the position error; chosen by hand
     evaluate(q);
@@ -235,7 +235,7 @@ class Search {
     return margin;
   }
 
-  /// Returns whether a body is `other` or one of its descendants.
+  /// Returns whether `body` is `other` or a descendant of `other`.
   bool hangs_on(int body, int other) const {
     while (body >= 0 && body != other) body = model_.joints[to_size(body)].parent;
     return body == other;
@@ -315,8 +315,8 @@ class Search {
     return (p - a - fraction * along).norm();
   }
 
-  /// Returns the largest static torque of a joint, as a fraction of its effort limit. Both cases
-  /// count: with and without the contact force.
+  /// Returns the largest static torque of all joints, with or without the contact force, as a
+  /// fraction of the effort limit.
   double torque_fraction() const {
     const Eigen::Vector3d push = -place_.force * into_;
     const Eigen::VectorXd weight = body_.gravity_torque();
@@ -356,7 +356,7 @@ class Search {
   Eigen::Vector3d into_;   ///< Unit vector into the surface, in the world.
   Eigen::Vector3d press_;  ///< Unit vector of the pressing direction, in the frame of the tool.
   Eigen::VectorXd q_middle_;
-  Eigen::VectorXd reach_;  ///< Half range of each joint, the unit of its steps (nv).
+  Eigen::VectorXd reach_;  ///< Half the range of each joint, the unit of its steps (nv).
   Eigen::Isometry3d placement_;
   FrameDerivatives derivatives_;
 };
@@ -376,7 +376,7 @@ bool same_place(const Model& model, const Candidate& a, const Candidate& b) {
 }
 
 /// Searches from all starting postures. Returns the results that meet all conditions, the best one
-/// first. If none does, `why` receives a condition that the nearest result violates.
+/// first. If there is none, `why` receives the complaint about the result of smallest shortfall.
 std::vector<Candidate> good_candidates(Search& search, const Model& model, std::string& why) {
   std::vector<Candidate> good;
   std::optional<Candidate> nearest;
@@ -403,7 +403,7 @@ std::vector<Candidate> good_candidates(Search& search, const Model& model, std::
 }
 
 /// Returns the best posture in which the tool presses along `axis`, given in the frame of the tool.
-/// If there is none, `why` receives the reason.
+/// If no posture is found, `why` receives the reason.
 std::optional<FoundPosture> search_along(const Eigen::Vector3d& axis, const SearchInput& in,
                                          std::string& why) {
   Search search(in, axis);

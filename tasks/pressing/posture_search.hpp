@@ -19,7 +19,7 @@ struct PressingPlace {
   Eigen::Vector3d normal_world;  ///< Normal of the surface, of any length.
   /// Point of the surface that the tool starts above [m]; none: anywhere.
   std::optional<Eigen::Vector3d> point_world;
-  double tip_radius, clearance;  ///< Lengths [m].
+  double tip_radius, clearance;  ///< Radius of the tip, height of the tip above the surface [m].
   double force;                  ///< Force along the normal [N].
 };
 
@@ -36,11 +36,11 @@ using CheckReach = std::function<ReachReport(const Eigen::VectorXd& q_start)>;
 
 /// Returns a posture from which the task can be done. The result depends only on the arguments.
 /// Damped least squares starts from the postures `known`, from the middle of the joint ranges, and
-/// from random postures, three times each with different weights. It turns the pressing axis
-/// tool_direction() against the normal, and moves joints towards the middle of their ranges. If the
-/// surface has a point, the tool is placed `clearance` above the point.
-/// The results must meet the limits of `options` and pass `check_reach`. Of these, the function
-/// returns the posture with the lowest score:
+/// from random postures, three times each with different weights. It turns the pressing axis,
+/// see tool_direction(), against the normal, and moves joints towards the middle of their ranges.
+/// If the task states a point of the surface, the tool is placed `clearance` above the point.
+/// Among the results within the limits of `options` that pass `check_reach`, the function returns
+/// the one with the lowest score:
 ///   score = tilt + (largest static torque along the path, as a fraction of the limit)
 ///         + 0.1 rad / (smallest distance to a joint limit along the path)
 ///         + 0.1 m / (smallest singular value of the tool's translational Jacobian at the start).

@@ -158,7 +158,7 @@ class Pressing final : public MpcTask {
     if (slope > 0.1 && std::abs(step) < max_step) p += step * normal_at_first_;
   }
 
-  static constexpr double touch_window = 5e-3;  ///< Window of detector_ [s]. Chosen by hand.
+  static constexpr double touch_window = 5e-3;  ///< Time window of `detector_` [s]. Chosen by hand.
 
   Touch phase_of(const TaskView& view) const noexcept {
     return touch_[to_size(view.schedule.phase())];
@@ -170,7 +170,7 @@ class Pressing final : public MpcTask {
   Eigen::Vector3d normal_world_, normal_at_first_;
   std::optional<SurfaceEstimator> surface_;
   double depth_ = 0.0;   ///< Indentation of the surface below the tool [m].
-  int time_input_ = -1;  ///< Index of PressingTask::time_input; -1: none.
+  int time_input_ = -1;  ///< Index of the input PressingTask::time_input; -1: none.
   double time_ = 0.0;    ///< Time of the schedule at the last tick [s].
   int tool_;
   int base_;  ///< Frame that the surface moves with; -1: the world.

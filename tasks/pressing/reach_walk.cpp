@@ -87,8 +87,8 @@ class ReachWalk::Impl {
     body_.frame_derivatives(tool_, Reference::centered(), derivatives_);
   }
 
-  /// Moves q until the tool is at `p`. Orientation of the tool and posture are kept in the null
-  /// space. Returns false if the tool stays away from `p` by more than the tolerance.
+  /// Moves q until the tool is at `p`. In the null space, the tool's orientation and the posture
+  /// return to the start. Returns false if the tool stays away from `p` by more than the tolerance.
   bool settle(Eigen::VectorXd& q, const Eigen::Vector3d& p, bool within_limits) {
     constexpr int max_iterations = 200;
     // Damping of the position error [m (rad)], largest step per iteration [rad (m)], and null-space
@@ -256,7 +256,7 @@ class ReachWalk::Impl {
   }
 
   /// Collects the joints that carry the tool, each with a frame on its body. Leaves out the joint
-  /// at the world, because its origin does not move.
+  /// that is attached to the world, because its origin does not move.
   void find_skeleton() {
     const Frame& tip = model_.frames[to_size(model_.frame_index(touch_.frame))];
     int last = tip.body;
@@ -267,7 +267,7 @@ class ReachWalk::Impl {
       if (model_.joints[to_size(j)].parent < 0) break;
       for (const Frame& frame : model_.frames) {
         if (frame.body != j) continue;
-        // Skips a frame that is not the first one of its name, because lookups find only the first.
+        // Skips a frame if an earlier frame has its name, because lookups by name find the earlier.
         const auto found = to_size(model_.frame_index(frame.name));
         if (&model_.frames[found] != &frame) continue;
         skeleton_.push_back({j, body_.frame(frame.name), frame.placement.inverse().translation()});
@@ -404,11 +404,11 @@ class ReachWalk::Impl {
   /// Stated force on a support.
   struct Load {
     int frame;
-    Eigen::Vector3d force_world;  ///< [N]
+    Eigen::Vector3d force_world;  ///< Force, in world axes [N].
   };
 
   ReachOptions options_;
-  TouchSpec touch_;  ///< Tool.
+  TouchSpec touch_;  ///< Tool and surface that it touches.
   Surface surface_;
   Eigen::Matrix3d surface_axes_;
   const Model& model_;

@@ -32,8 +32,8 @@ class ReachWalk {
   ReachWalk(const Model& model, const SceneSpec& scene, const Eigen::VectorXd& q_start,
             const ReachOptions& options, bool has_path = true);
   ~ReachWalk();
-  /// States the force on a support, in world axes [N]. Throws Error for an unknown support. The
-  /// forces on the other supports are those for which the joint torques are smallest.
+  /// States the force on a support, in world axes [N]. Throws Error for an unknown support.
+  /// Forces on supports without a stated force are chosen such that joint torques are smallest.
   void load(const std::string& support, const Eigen::Vector3d& force_world);
   /// Moves to a stop and checks it. Returns false at the first problem, which report() describes.
   bool visit(const ReachStop& stop);

@@ -1,4 +1,4 @@
-// Records of runs of all tasks that press or stand: statistics of the computing times of ticks,
+// Records of runs of all tasks that press or stand: statistics of tick durations and of standing,
 // plots, and the HTML page of a run.
 #pragma once
 

@@ -17,16 +17,16 @@ struct NamedRun {
   RunSpec spec;
 };
 
-/// Statistics that only one task has, as a section of metrics.json and as entries of the HTML page.
+/// Statistics of one task only, as a section of metrics.json and as entries of the HTML page.
 struct OwnFigures {
   std::string section;
   Json json = nullptr;
   std::vector<PageMetric> page = {};
 };
 
-/// Contents for the files of a run. Referenced objects must outlive it.
+/// Contents for the files of a run. Referenced objects must outlive the RecordedRun.
 struct RecordedRun {
-  // Common to all tasks, set by record_of().
+  // Members common to all tasks, set by record_of().
   std::string task, name, command;
   PlantKind plant;
   Disturbances disturbances;  ///< Disturbances of the task.
@@ -39,7 +39,7 @@ struct RecordedRun {
   const Eigen::VectorXd& q_start;  ///< Starting posture (nq).
   const SceneSpec& scene;          ///< Nominal scene, which the controller assumes.
 
-  // Set by each task.
+  // Members that each task sets.
   std::string force = {};  ///< Force with unit, such as "30 N"; empty if the task does not press.
   /// Nominal surface that the page draws, in the world.
   SurfaceSpec surface = {};

@@ -58,7 +58,7 @@ PlotSpec force_plot(const PlottedRun& run) {
   };
   panel("whole run", 0, time.size(), true);
   const auto [first, last] = rows_of_phase(trace, static_cast<double>(run.phase));
-  // Excludes the last rows, because their moving mean contains rows of the retreat.
+  // Excludes the last rows of the phase, because their moving mean contains rows of the retreat.
   const Eigen::Index inside = last - std::lround(0.01 / dt);
   if (inside - first > 1) panel(run.phase_title, first, inside, false);
   return plot;

@@ -167,7 +167,7 @@ Eigen::VectorXd torque_on_supports(const Model& model, const RigidBody& body,
   std::vector<int> driven;
   for (int k = 0; k < model.nv; ++k)
     if (k < base->v_index || k >= base->v_index + base->nv) driven.push_back(k);
-  // Only joints have motors: S^T tau + J^T f = needed.
+  // Solves S^T tau + J^T f = needed for motor torques tau and support forces f. S selects motors.
   const auto motors = static_cast<Eigen::Index>(driven.size());
   Eigen::MatrixXd A = Eigen::MatrixXd::Zero(model.nv, motors + J.rows());
   for (Eigen::Index i = 0; i < motors; ++i) A(driven[to_size(i)], i) = 1.0;
@@ -200,8 +200,8 @@ void set_standing(const Standing& standing, MpcSpec& mpc) {
   mpc.slip = standing.slip;
   mpc.slip.radius = standing.has_soles() ? 0.0 : standing.radius;
   mpc.fallback = standing.fallback;
-  // Smallest load of a foot for which a slip is detected, as a fraction of the mean load of the
-  // feet. For the shipped quadruped, it is 30 N, and the mean load is 49 N.
+  // Smallest load of a foot at which a slip is detected, as a fraction of the mean load of the
+  // feet. For the shipped quadruped, the smallest load is 30 N, the mean load 49 N.
   constexpr double slip_load = 0.612;
   mpc.slip.load = std::min(mpc.slip.load, slip_load * weight_per_foot(mpc.problem.model, standing));
 }
@@ -222,8 +222,8 @@ std::optional<BaseEstimatorOptions> base_estimator(const Standing& standing) {
                                .gate = 1.0 - 1e-12,
                                .tilt_deviation = 5e-3,
                                .velocity_deviation = 0.01};
-  // After a fault of the IMU, the base is estimated from the feet, and the jump of the estimate
-  // decays with this time [s]. A faster decay would count as a push.
+  // An IMU fault switches the base estimate to leg kinematics. The offset that prevents a jump
+  // at this switch decays with this time constant [s]. A faster decay would count as a push.
   options.watch.decay_time = 0.2;
   for (const std::string& foot : standing.feet)
     options.feet.push_back({foot, standing.has_soles() ? FootKind::Sole : FootKind::Ball});
@@ -231,7 +231,7 @@ std::optional<BaseEstimatorOptions> base_estimator(const Standing& standing) {
 }
 
 FootContactOptions foot_contact_options(const Model& model) {
-  // Force noise per weight of the robot [1/sqrt(Hz)], chosen by hand.
+  // Largest force noise density as a fraction of the weight [1/sqrt(Hz)], chosen by hand.
   constexpr double max_noise = 1e-3;
   FootContactOptions options;
   options.force_noise =
@@ -240,8 +240,8 @@ FootContactOptions foot_contact_options(const Model& model) {
 }
 
 Disturbances for_feet(const Model& model, const Standing& standing, Disturbances disturbances) {
-  // Largest force noise as a fraction of the mean load of the feet. For the shipped quadruped, it
-  // is 1 N, rounded up, and the mean load is 49 N.
+  // Largest force noise as a fraction of the mean load of the feet. For the shipped quadruped, the
+  // largest noise is about 1 N, the mean load 49 N.
   constexpr double fraction = 0.022;
   constexpr double arm = 0.1;  // ratio of moment noise to force noise [m], chosen by hand
   const double max_noise = fraction * weight_per_foot(model, standing);
@@ -251,7 +251,7 @@ Disturbances for_feet(const Model& model, const Standing& standing, Disturbances
 }
 
 double min_load_of(const Model& model, const Standing& standing) {
-  // Smallest load as a fraction of the mean load of the feet. For Talos, it is 40 N of 450 N.
+  // Smallest load as a fraction of the mean load of the feet. For Talos, 40 N of 450 N.
   constexpr double fraction = 0.09;
   return standing.min_load.value_or(fraction * weight_per_foot(model, standing));
 }

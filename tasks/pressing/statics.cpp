@@ -15,8 +15,8 @@ constexpr int octagon = 8;
 constexpr double moment_arm = 0.1;  // arm by which moments are scaled to forces [m]
 constexpr int base_rows = 6;
 
-/// Returns the step ratio that keeps a positive vector positive: 0.99 of the ratio that reaches the
-/// boundary, at most 1.
+/// Returns the fraction of `step` that keeps the vector `at` positive: 0.99 of the fraction at
+/// which an entry becomes zero, at most 1.
 double step_ratio(const Eigen::VectorXd& at, const Eigen::VectorXd& step) {
   double ratio = 1.0;
   for (Eigen::Index i = 0; i < at.size(); ++i)
@@ -38,7 +38,7 @@ Statics::Statics(const Model& model, const StaticsSpec& spec) : spec_(spec), nv_
   for (const TouchSpec& foot : spec.feet) forces_ += foot.is_rectangle() ? 6 : 3;
   if (spec.hand_friction > 0.0) forces_ += 2 * static_cast<int>(hands_.size());
   ++forces_;  // for the force F of each hand
-  // The last unknown is the violation that all rows share.
+  // The last unknown is a slack variable: the violation that all rows of G share.
   const Eigen::Index unknowns = forces_ + 1;
   const auto rows = static_cast<Eigen::Index>(names_.size());
   force_map_ = RowMatrix::Zero(nv_, forces_);
@@ -79,7 +79,7 @@ void Statics::name_rows(const Model& model) {
 void Statics::fill_cone(Eigen::Index x, Eigen::Index y, Eigen::Index z, double friction,
                         Eigen::Index& row) noexcept {
   for (int side = 0; side < octagon; ++side, ++row) {
-    // The octagon has corners on the axes x and y.
+    // The friction octagon has corners on the axes x and y.
     const double angle = (side + 0.5) * 2.0 * M_PI / octagon;
     G_(row, x) = std::cos(angle);
     G_(row, y) = std::sin(angle);

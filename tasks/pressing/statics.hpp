@@ -58,7 +58,7 @@ class Statics {
   int nv_, forces_;
   /// Weight, the unit of forces [N]; the unit of moments is 0.1 m times the weight.
   double weight_;
-  std::vector<int> feet_, hands_;   ///< Frames of RigidBody.
+  std::vector<int> feet_, hands_;   ///< Frame indices for RigidBody.
   std::vector<int> limited_;        ///< Entries of v with a torque limit.
   std::vector<std::string> names_;  ///< Names of the limits, one per row of G.
   /// Per row of G: index of the normal force that scales the limit, or -1.
@@ -69,7 +69,7 @@ class Statics {
   // Linear program min c x with A x = b, G x + w = h, w >= 0. The multipliers are y and z.
   Eigen::MatrixXd A_, G_, KKT_;
   Eigen::VectorXd b_, c_, h_, x_, y_, w_, z_, dx_, dw_, dz_, rhs_, solution_, rows_;
-  /// Returns the limit in a row of G at the last solution, such as friction * load; 1 for torques.
+  /// Returns the limit in `row` of G at the last solution, such as friction * load; torques: 1.
   double amount(Eigen::Index row) const noexcept;
   Eigen::PartialPivLU<Eigen::MatrixXd> lu_;
 };

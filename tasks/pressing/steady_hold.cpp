@@ -32,7 +32,7 @@ Eigen::VectorXd ground_stiffness(const std::vector<TouchSpec>& feet) {
   return Eigen::Map<const Eigen::VectorXd>(rows.data(), static_cast<Eigen::Index>(rows.size()));
 }
 
-/// Simulation of a standing robot that the fallback holds, linearized about the start.
+/// Simulation of a standing robot under the fallback controller, linearized about the start.
 class HeldMotion {
  public:
   HeldMotion(const MpcSpec& mpc, const std::vector<TouchSpec>& feet)
@@ -93,7 +93,7 @@ class HeldMotion {
     std::vector<int> driven;
     for (int k = base_entries; k < n; ++k) driven.push_back(k);
     Holding holding(holding_spec(mpc), driven);
-    // Without sensors, all feet count as standing.
+    // Without measured foot wrenches, all feet count as standing.
     const Eigen::Matrix<double, 6, Eigen::Dynamic> none(6, 0);
     Eigen::VectorXd rest(n), moved(n), v = Eigen::VectorXd::Zero(n);
     holding.torque(q, v, true, none, rest);
@@ -118,7 +118,7 @@ Fallback steady_fallback(const MpcSpec& mpc, const std::vector<TouchSpec>& feet)
   // Gain margins, chosen by hand. The second margin is used if no entry of `scales` reaches the
   // first one.
   constexpr std::array margins{2.0, 1.0};
-  constexpr std::array scales{1.0, 0.7, 0.5, 0.35};  // smaller gains let robots sag
+  constexpr std::array scales{1.0, 0.7, 0.5, 0.35};  // factors on gains; robots sag below 0.35
   Fallback fallback = mpc.fallback;
   if (feet.empty() || !mpc.problem.model.loops.empty()) return fallback;
   const HeldMotion motion(mpc, feet);

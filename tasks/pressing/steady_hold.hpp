@@ -1,4 +1,4 @@
-// Gains with which a standing robot can be held without shaking feet.
+// Gains that hold a standing robot without oscillation of its feet.
 #pragma once
 
 #include <vector>

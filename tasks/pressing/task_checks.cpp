@@ -8,7 +8,7 @@
 namespace burnish::pressing {
 
 void check_durations(const std::vector<std::pair<std::string, double>>& durations) {
-  constexpr double max_duration = 1e4;  // longest duration [s]
+  constexpr double max_duration = 1e4;  // longest permitted duration [s]
   for (const auto& [entry, time] : durations)
     if (!(time <= max_duration))
       throw EntryError(

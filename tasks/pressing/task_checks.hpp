@@ -18,7 +18,7 @@ void check_durations(const std::vector<std::pair<std::string, double>>& duration
 /// entry that states `kd`.
 void check_contact_step(double step, const std::string& named, double kd);
 
-/// Times of plans and their knots.
+/// Rates and times of plans and of their knots.
 struct PlanTimes {
   double tick_rate, update_rate;       ///< Rates [Hz].
   double solver_delay, horizon, step;  ///< Times [s].

@@ -37,7 +37,7 @@ void read_presets(files::DescribedFile& form, const std::string& friction = "") 
   });
 }
 
-/// Returns the disturbances that only robots on feet have.
+/// Returns the keys of the disturbances that only robots on feet have.
 inline const std::vector<std::string>& disturbances_of_standing() {
   static const std::vector<std::string> keys{"support_force_noise",
                                              "support_moment_noise",

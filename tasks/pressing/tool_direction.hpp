@@ -11,7 +11,7 @@
 namespace burnish::pressing {
 
 struct ToolDirection {
-  Eigen::Vector3d axis;  ///< Unit vector in the tool's frame.
+  Eigen::Vector3d axis;  ///< Pressing direction: unit vector in the tool's frame.
   bool decided = true;   ///< False if the sign is a guess.
 };
 
@@ -27,7 +27,7 @@ struct ToolDirection {
 ToolDirection tool_direction(const std::string& frame, const std::optional<Eigen::Vector3d>& axis,
                              const Model& model);
 
-/// Returns "tool.axis=[0, 0, 1]", to the third decimal.
+/// Returns `axis` as text, rounded to three decimals, such as "tool.axis=[0, 0, 1]".
 std::string axis_text(const Eigen::Vector3d& axis);
 
 /// Adds a note if the sign of the direction is a guess.

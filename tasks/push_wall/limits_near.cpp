@@ -35,7 +35,7 @@ PlanAt plan_now(const MpcController& mpc) {
 std::string limits_near(const ProblemSpec& spec, const PlanAt& plan) {
   Problem problem(spec);
   (void)problem.set_torque_bias(plan.torque_error);
-  // Number of knots at which a constraint is reached, by its name.
+  // Number of knots at which each constraint is reached, by name of the constraint.
   std::map<std::string, int> reached;
   for (int k = 0; k < static_cast<int>(plan.stages.size()); ++k) {
     const auto i = to_size(k);

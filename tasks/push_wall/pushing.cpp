@@ -118,7 +118,7 @@ bool Pushing::has_static_reserve(const TaskView& view, double force) noexcept {
 
 /// Returns the condition that now ends the search for the largest force, or Limit::None.
 Limit Pushing::look(const TaskView& view, int& where) noexcept {
-  constexpr double patience = 0.05;  // longest time of infeasible plans [s], chosen by hand
+  constexpr double patience = 0.05;  // longest time with infeasible plans [s], chosen by hand
   const double wanted = force_at(task_, setting_, *search_, view.schedule.time());
   low_pass(behind_, wanted - 0.5 * (hands_[0].touch + hands_[1].touch), view.dt, 0.1);
   infeasible_ = view.command.constraints_infeasible ? infeasible_ + view.dt : 0.0;

@@ -40,12 +40,12 @@ class Pushing final : public MpcTask {
   struct Hand {
     int frame = -1;
     int column = -1;                  ///< Column of Measurement::wrenches.
-    double quick = 0.0, touch = 0.0;  ///< Normal force, low-passed with 5 and 10 ms [N].
+    double quick = 0.0, touch = 0.0;  ///< Normal force, filtered over 5 and 10 ms [N].
     double without = 0.0;             ///< Time without contact force [s].
     double felt = 0.0;  ///< Largest `touch` since contact was due, or since it was lost [N].
     /// Placement of the hand at first contact.
     Eigen::Isometry3d contact = Eigen::Isometry3d::Identity();
-    /// Slip by slid(), low-passed with 1 s [m].
+    /// Slip as computed by slid(), low-pass filtered over 1 s [m].
     Eigen::Vector3d slow_slip = Eigen::Vector3d::Zero();
   };
   void filter_forces(const TaskView& view) noexcept;
@@ -63,7 +63,7 @@ class Pushing final : public MpcTask {
   /// Positions of the feet in the world: at the start, and low-pass filtered over 1 s [m].
   std::vector<Eigen::Vector3d> p_feet_, p_slow_;
   double start_height_ = 0.0;  ///< Height of the centre of mass at the start [m].
-  double behind_ = 0.0;        ///< Force error, low-passed with 0.1 s [N].
+  double behind_ = 0.0;        ///< Force error, low-pass filtered over 0.1 s [N].
   double infeasible_ = 0.0;  ///< Time for which the constraints of plans have been infeasible [s].
   double late_ = 0.0;        ///< Time by which contact is late [s].
   pressing::Statics statics_;

@@ -107,7 +107,7 @@ std::pair<int, int> window(const Trace& trace, int from, double after, int until
 }
 
 /// Returns the normal forces of both hands for all rows, averaged over 10 ms [N]. Writes slip,
-/// pressure and motion into `figures`.
+/// centre of pressure and displacement into `figures`.
 std::array<Eigen::VectorXd, 2> replay(const Task& task, RunResult& result, PushFigures& figures) {
   const Trace& trace = result.trace;
   const Trace::Column phase = trace.column("phase"), time = trace.column("time");

@@ -56,8 +56,7 @@ struct Builder {
     x.head(model.nq) = setting.q_start;
     return x;
   }
-  /// Returns the target of the centre of mass. Larger forces of the hands move it nearer to the
-  /// wall.
+  /// Returns the target of the centre of mass, which is nearer to the wall for larger forces.
   Signal com() const {
     return Signal::over_time(3, [task = task, setting = setting, force_search = force_search](
                                     double t, Eigen::Ref<Eigen::VectorXd> p) {

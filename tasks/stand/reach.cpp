@@ -165,7 +165,7 @@ std::string joined(const std::vector<std::string>& words) {
 
 Sway fitted_sway(const Task& task, const Setting& setting) {
   constexpr double reduction = 0.7;  // factor on the sway per try
-  constexpr int max_tries = 8;       // the last try has 0.06 of the sway
+  constexpr int max_tries = 8;       // the last try has 0.08 of the sway
   if (!setting.robot.model.loops.empty()) return task.sway;
   Reach reach(task, setting);
   if (reach.error_at_start()) return task.sway;

@@ -49,7 +49,7 @@ class Errors {
   int count_ = 0;
 };
 
-/// Evaluation of the rows of a run, starting with the sway.
+/// Evaluation of the rows of a run: statistics of the sway, and fall of the robot.
 class SwayRows {
  public:
   SwayRows(const Task& task, RunResult& result)
@@ -89,7 +89,7 @@ class SwayRows {
   }
   /// Returns whether the robot lies on the ground in the last row with a valid state.
   bool fell() {
-    // Limits that count as a fall: loss of height as a fraction, and angle of the base [rad].
+    // Deviations above which the robot has fallen: TrunkFall::sunk, and TrunkFall::turned [rad].
     // Chosen by hand.
     constexpr double max_sunk = 0.5, max_turn = 1.0;
     int row = trace_.rows() - 1;

@@ -34,7 +34,7 @@ struct Builder {
     x.head(model.nq) = setting.q_start;
     return x;
   }
-  /// Returns a signal whose values write(trunk, out) computes from the target of the trunk.
+  /// Returns a signal. write(trunk, out) computes its value `out` from the target of the trunk.
   template <class Write>
   Signal of_trunk(int size, const Write& write) const {
     return Signal::over_time(

@@ -8,7 +8,7 @@ namespace burnish::stand {
 /// Phases of the schedule, in the order of phase_names().
 enum Phase : int { settle, sway, rest };
 
-/// Returns how far a foot has slid along the ground from its start; rolling does not count [m].
+/// Returns how far a foot has slid along the ground from its start, without its rolling [m].
 double slip_of(const Eigen::Isometry3d& start, const Eigen::Isometry3d& now,
                const Standing& standing);
 /// Returns the angle between two orientations [rad].

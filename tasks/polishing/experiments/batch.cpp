@@ -46,9 +46,9 @@ double computed() {
   return static_cast<double>(time.tv_sec) + 1e-9 * static_cast<double>(time.tv_nsec);
 }
 
-/// Limit of a run's computing time: a stated limit, or a multiple of the time that 95 % of the
-/// earlier runs took. The median would be misleading, because a plan takes much longer than a tick
-/// of a controller without plans.
+/// Limit of a run's computing time: a stated limit, or a multiple of the 95 % quantile of the
+/// earlier runs' times. A multiple of the median would be too small for runs with plans, because
+/// runs without plans are much faster.
 class TimeLimit {
  public:
   explicit TimeLimit(double stated) : stated_(stated) {}

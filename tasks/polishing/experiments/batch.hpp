@@ -21,8 +21,8 @@ struct BatchRun {
   std::string depends_on = {};  ///< Text of all inputs of the result; used only with `perform`.
 };
 
-/// Adds runs of the task on the plant of `spec`, one for each of `seeds` seeds from spec.first_seed
-/// on. The name of a run consists of `name` and the seed.
+/// Adds runs of the task on the plant of `spec`, with `seeds` consecutive seeds that start at
+/// spec.first_seed. The name of a run consists of `name` and the seed.
 void add_seeds(const ExperimentSpec& spec, const std::string& name, const Task& task, int seeds,
                std::vector<BatchRun>& runs);
 

@@ -11,8 +11,8 @@
 namespace burnish::polishing {
 namespace {
 
-/// First random stream for the sizes of disturbances. Smaller numbers are the streams of the
-/// disturbances' own noise.
+/// Number of the first random stream that draws sizes of disturbances. Streams with smaller numbers
+/// draw the noise within a run.
 constexpr std::uint64_t first_stream = 1000;
 
 Eigen::Vector3d unit_vector(RandomStream& random) {

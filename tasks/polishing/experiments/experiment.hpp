@@ -18,7 +18,7 @@ inline constexpr int max_seeds = 10'000;
 /// Numbers of runs of an experiment.
 struct RunCounts {
   int all = 0;     ///< All runs of the experiment.
-  int wanted = 0;  ///< Runs of the shard.
+  int wanted = 0;  ///< Runs of the shard, the part of the experiment that this call makes.
   int found = 0;   ///< Runs of the shard whose results were in the store.
   int made = 0;    ///< Runs of the shard made by this call.
   int failed = 0;  ///< Runs, found or made, that did not polish.
@@ -59,8 +59,8 @@ struct ExperimentSpec {
   /// If true, makes no run, and throws Error if the store lacks a result. @undescribed
   bool only_found = false;
   bool mixed = false;  ///< Accepts results made with other kernels. @undescribed
-  /// Largest computing time of a run, on one core [s]; a run that exceeds it ends between two
-  /// ticks. 0: from the sixth run on, 20 times the median of the earlier runs, at least 10 s.
+  /// Largest computing time of a run, on one core [s]; a longer run ends between two ticks. 0: ten
+  /// times the 95 % quantile of earlier runs, at least 120 s; no limit for the first five runs.
   /// @undescribed
   double time_limit = 0.0;
   RunCounts* counts = nullptr;  ///< Receives the numbers of runs; null: not needed. @undescribed
@@ -107,7 +107,7 @@ struct Experiment {
   ExperimentReport (*perform)(const ExperimentSpec& spec);
 };
 
-/// Returns paper, orientation, frames, seeds, tilt, surfaces, robots, force_test, standing, tick.
+/// Returns the list of all experiments.
 const std::vector<Experiment>& experiments();
 /// Returns the experiment of that name. Throws Error, with the nearest name, for unknown names.
 const Experiment& experiment_named(const std::string& name);

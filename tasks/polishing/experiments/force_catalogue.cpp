@@ -47,8 +47,8 @@ double path_begin(const RunResult& result) {
   return trace.column("time")[std::min<Eigen::Index>(first, trace.rows() - 1)];
 }
 
-/// Returns the force on the path. The target is that of the task; the trace has the controller's
-/// target instead.
+/// Returns the force on the path, with the target force of the task. The target in the trace is
+/// the controller's, which may differ.
 ForceSignal signal_on_path(const Task& task, const RunResult& result) {
   ForceSignal signal = signal_since(result, path_begin(result));
   for (Eigen::Index i = 0; i < signal.time.size(); ++i)

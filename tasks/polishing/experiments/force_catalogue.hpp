@@ -21,7 +21,7 @@ const std::vector<ForceFigure>& force_figures();
 /// Test of the catalogue.
 struct ForceTest {
   std::string name;
-  std::string meaning;  ///< Description with numbers; empty if given for an earlier test.
+  std::string meaning;  ///< Description with numbers; empty if equal to an earlier test's.
   Task task;
   std::function<std::vector<MeasuredFigure>(const RunResult& result)> measure;
   bool has_curve = false;  ///< True if the plot of responses shows this test.

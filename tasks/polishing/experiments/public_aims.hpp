@@ -69,7 +69,7 @@ bool all_made(const std::vector<RunFigures>& runs);
 /// Returns the number of runs that polished or, for robots with legs, stood to the end.
 int polished_of(const std::vector<RunFigures>& runs);
 
-/// Returns the reason why the first run was rejected; empty if it was not.
+/// Returns the reason why the first run was rejected; empty if the run was accepted.
 std::string refusal_of(const std::vector<RunFigures>& runs);
 
 }  // namespace burnish::polishing

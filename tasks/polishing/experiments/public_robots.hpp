@@ -17,7 +17,7 @@ struct PublicRobot {
   std::string file;             ///< Path of the description in the repository.
   std::string tool = {};        ///< Frame of the tool, for an arm.
   std::vector<std::string> feet = {};     ///< Frames of the feet, for a robot with legs.
-  std::string task = {};                  ///< With feet: file in tasks/stand, without extension.
+  std::string task = {};                  ///< Legged robots: file in tasks/stand without .yaml.
   std::vector<std::string> changes = {};  ///< Changes of the task, see override_task().
   std::string because = {};               ///< Reason for `changes`; empty without changes.
 

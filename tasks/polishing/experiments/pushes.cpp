@@ -30,7 +30,7 @@ std::vector<MeasuredFigure> measure_push(const RunResult& result, double begin) 
           {"push", "position_rmse", metrics.position_rmse}};
 }
 
-/// Returns a measurement of a run with a push, in the display unit.
+/// Returns a measurement of measure_push(), in the display unit of the figure.
 double of_push(const RunFigures& run, const std::string& figure) {
   for (const MeasuredFigure& measured : run.measured)
     if (measured.figure == figure) return shown(figure, measured.value);

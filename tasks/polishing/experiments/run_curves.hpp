@@ -14,8 +14,8 @@ struct RunCurves {
   Curve distance;  ///< Distance between tool and target over time [mm].
 };
 
-/// Returns the curves of a run, reduced to few points for small files; empty curves if the run did
-/// not reach the path.
+/// Returns the curves of a run, with few points to keep files small. The curves are empty if the
+/// run did not reach the path.
 RunCurves curves_of(const RunResult& result, const std::string& name);
 
 }  // namespace burnish::polishing

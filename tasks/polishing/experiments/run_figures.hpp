@@ -20,7 +20,7 @@ struct RunFigures {
   std::string outcome = {};  ///< Outcome in one sentence.
   bool made = false;         ///< True unless the run was omitted or stopped from outside.
   bool refused = false;      ///< True if rejected before the simulation; `outcome` has the reason.
-  bool late = false;         ///< True if the time limit ended the run.
+  bool late = false;         ///< True if the limit of the computing time ended the run.
   bool polished = false;
   FaultKind fault = FaultKind::None;
   std::uint64_t seed = 0;
