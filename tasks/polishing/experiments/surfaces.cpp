@@ -103,7 +103,7 @@ double worst_force(const SurfaceCase& of) {
   double worst = 0.0;
   for (const RunFigures& run : of.runs) {
     const double force = shown("force_rmse", run["force_rmse"]);
-    worst = force <= worst ? worst : force;
+    worst = std::isnan(worst) || force <= worst ? worst : force;
   }
   return worst;
 }

@@ -104,7 +104,7 @@ ResultTable aims_table(const std::vector<TiltGroup>& groups, ExperimentReport& r
       double value = 0.0;
       for (const double mean : means)
         value = held.mean ? value + mean / static_cast<double>(means.size())
-                          : (mean <= value ? value : mean);  // NaN persists
+                          : (std::isnan(value) || mean <= value ? value : mean);
       const Aim aim{held.figure, held.limits[loop ? 0 : 1]};
       const std::string words = verdict(value, aim);
       met += words == "met" ? 1 : 0;
