@@ -127,7 +127,8 @@ class Output {
   }
   [[noreturn]] void refuse(int reason) const {
     [[maybe_unused]] const bool cut = begin_ >= 0 && ftruncate(STDOUT_FILENO, begin_) == 0;
-    // Redirects standard output to /dev/null, because its buffer is written when the program ends.
+    // The program writes the rest of its output buffer when it ends, which would fail again.
+    // Standard output is therefore redirected to /dev/null.
     if (const int nowhere = open("/dev/null", O_WRONLY | O_CLOEXEC); nowhere >= 0)
       dup2(nowhere, STDOUT_FILENO);
     throw Error(std::string("the output could not be written") +

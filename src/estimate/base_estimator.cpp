@@ -121,7 +121,7 @@ struct BaseEstimator::Impl {
   Eigen::MatrixXd covariance, start_covariance;
   Eigen::MatrixXd jacobian, noise;
   Eigen::VectorXd gates;   ///< Squared innovation above which a foot is an outlier, per foot.
-  Eigen::VectorXd rested;  ///< Time for which each slipping foot has been at rest [s].
+  Eigen::VectorXd rested;  ///< Time since each foot in `slipping` stopped sliding [s].
   FootSet slipping = 0;
   double lost = 0.0;  ///< Time for which all standing feet have been slipping [s].
   EstimatorInnovation innovation;

@@ -1,4 +1,4 @@
-// Observer of the torque error at the states of a controller (see TorqueErrorObserver).
+// Observer of the torque error that reads a RobotState. TorqueErrorObserver is its public form.
 #pragma once
 
 #include <algorithm>

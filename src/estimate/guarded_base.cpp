@@ -200,9 +200,9 @@ double GuardedBase::Impl::encoder_place() const noexcept {
   return filter.options().encoder_noise * std::sqrt(max_square);
 }
 
-/// Takes a snapshot. Each threshold is the value in the options plus three standard deviations due
-/// to noise, biases and tilt. Each standard deviation combines three axes, so that three times its
-/// value is about five standard deviations of a single axis.
+/// Takes a snapshot. Each threshold is the value in the options plus 3 sigma. sigma^2 is the sum of
+/// the variances along three axes, which noise, biases and tilt cause. If they are equal, 3 sigma
+/// are about five standard deviations along one axis.
 void GuardedBase::Impl::take_moment(Moment& moment, FootSet feet, const UnitPose& unit) noexcept {
   const BaseEstimatorOptions& o = filter.options();
   moment.feet.put(feet, unit, kinematics.all_seen());

@@ -21,8 +21,8 @@ struct Evidence {
   double torque_noise;       ///< Given noise of each sample; 0: estimated from the record [Nm, N]
 };
 
-/// Returns the rms per torque (nv) of the residual of a correct model: white noise of torques and
-/// positions after smoothing, and the errors from smoothing and sampling [Nm, N].
+/// Returns the rms residual that a correct model would have, one entry per torque (nv) [Nm, N]. Its
+/// causes are the smoothed noise of torques and positions, and errors from smoothing and sampling.
 Eigen::VectorXd expected_rms(const Evidence& of, const Eigen::VectorXd& x);
 
 struct Misfit {

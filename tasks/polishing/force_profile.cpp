@@ -25,7 +25,7 @@ double ForceProfile::at(double force, double t) const noexcept {
     return force +
            amplitude * std::sin(2.0 * std::numbers::pi * frequency * std::max(0.0, t - start));
   if (!has_points(kind)) return force;
-  constexpr double rounding = 1e-9;  // error of a clock that adds up many periods [s]
+  constexpr double rounding = 1e-9;  // largest rounding error of a clock that sums periods [s]
   const auto next =
       std::upper_bound(points.begin(), points.end(), t + rounding,
                        [](double now, const Eigen::Vector2d& point) { return now < point.x(); });

@@ -36,7 +36,7 @@ std::optional<Loops> loops_of(const Task& task, const Setting& setting, const Lo
   }
 }
 
-/// Returns the gain range with the smallest upper (or lower) margin, in free air or in contact.
+/// Returns the gain range with the lowest upper end (`above`) or else the highest lower end.
 GainRange narrowest(const TaskMargins& margins, bool above) {
   std::vector<GainRange> all = margins.air.gains;
   all.insert(all.end(), margins.contact.gains.begin(), margins.contact.gains.end());
@@ -110,10 +110,10 @@ class Fit {
 
  private:
   bool find_without_force() {
-    constexpr std::array raised{10.0, 3.0, 1.0};  // tried factors of weights.position
-    // Tried factors of weights.position, after `raised` and `slowed`.
+    constexpr std::array raised{10.0, 3.0, 1.0};  // factors on weights.position, tried first
+    // Factors on weights.position, tried last (after `raised` and `slowed`).
     constexpr std::array lowered{0.3, 0.1, 0.03};
-    constexpr std::array slowed{0.7, 0.5, 0.35, 0.25};  // tried factors of model_error.bandwidth
+    constexpr std::array slowed{0.7, 0.5, 0.35, 0.25};  // factors on model_error.bandwidth
     for (const double factor : raised)
       if ((fits_position_ || factor == 1.0) && try_position(factor)) return true;
     if (!has_loops_) return false;
@@ -128,7 +128,7 @@ class Fit {
   /// Sets the largest of the tried force gains that the loop tolerates together with the other
   /// gains, on the stated surface and on a stiffer one; 0 if it tolerates none.
   void find_force_gain() {
-    constexpr std::array factors{1.0, 0.7, 0.5};  // tried factors of model_error.force_gain
+    constexpr std::array factors{1.0, 0.7, 0.5};  // factors on model_error.force_gain
     LoopChain chain = usual_chain(task_);
     chain.stiffness *= stiffness_factor;
     const MpcSpec spec = make_mpc(task_, setting_);
@@ -153,7 +153,7 @@ class Fit {
     return try_transient_scales();
   }
   bool try_transient_scales() {
-    // Tried factors of transient_scale - 1.
+    // Factors on transient_scale - 1, tried in this order.
     constexpr std::array fractions{1.0, 0.5, 0.3, 0.1, 0.0};
     const double max_scale = *first_.model_error.transient_scale;
     return std::any_of(fractions.begin(), fractions.end(), [&](double fraction) {

@@ -44,7 +44,7 @@ void within_reason(double value, const char* name) {
                 number(min_length) + " to " + number(max_length));
 }
 
-/// Returns the point with these polar coordinates r(t) and angle(t), with its derivatives.
+/// Returns the point with polar coordinates r(t) and angle(t), and its time derivatives.
 PlanarPoint polar(double r, double dr, double ddr, double angle, double w, double dw) {
   const Eigen::Vector2d e(std::cos(angle), std::sin(angle)), n(-e.y(), e.x());
   return {r * e, dr * e + r * w * n, (ddr - r * w * w) * e + (2.0 * dr * w + r * dw) * n};

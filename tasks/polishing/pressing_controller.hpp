@@ -1,5 +1,5 @@
-// Controller that computes a plan at every tick, to measure the computing time of ticks. Every tick
-// receives the measurements of a robot at rest that presses.
+// Controller that computes a plan at every tick, for measuring how long a tick takes. Every tick
+// receives the measurements of a robot that presses while at rest.
 #pragma once
 
 #include <string>

@@ -21,7 +21,7 @@ double time_on_path(const Task& task, const Path& path) {
   double time = std::min(task.polish_duration, path.duration());
   if (spec.kind == PathKind::Circle && spec.rate != 0.0)
     time = std::min(time, spec.start_up + turn / std::abs(spec.rate));
-  if (spec.kind == PathKind::Spiral)  // to the radius and back
+  if (spec.kind == PathKind::Spiral)  // from the centre to the radius and back
     time = std::min(time, spec.start_up + 2.0 * turn * spec.radius / (spec.pitch * spec.rate));
   return time;
 }
@@ -78,7 +78,7 @@ ReachReport check_home_move(const HomeMove& move, const Setting& setting,
 
 std::vector<FreeHome> free_homes(const Task& task, const Setting& setting,
                                  const ReachOptions& options) {
-  constexpr double min_distance = 0.01;  // motions below this distance are omitted [rad or m]
+  constexpr double min_distance = 0.01;  // smallest listed move of a joint [rad or m]
   std::vector<FreeHome> found;
   if (task.standing.stands() || !task.surface_frame.empty()) return found;
   for (const auto& [name, posture] : setting.robot.postures) {
@@ -88,7 +88,7 @@ std::vector<FreeHome> free_homes(const Task& task, const Setting& setting,
       if (move->farthest > min_distance && check_home_move(*move, setting, options).ok())
         found.push_back({name, move->duration()});
     } catch (const Error&) {
-      continue;  // beyond joint limits, or with joints that this variant lacks
+      continue;  // the posture violates limits, or names joints that the robot lacks
     }
   }
   std::stable_sort(found.begin(), found.end(),

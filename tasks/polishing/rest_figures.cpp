@@ -1,4 +1,4 @@
-// Figures of a hand that rests on a plane, from the trace of a run.
+// Statistics of a hand that rests on a plane, computed from the trace of a run.
 #include <algorithm>
 #include <cmath>
 #include <cstdio>

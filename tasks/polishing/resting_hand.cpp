@@ -20,7 +20,7 @@ namespace {
 
 /// Factor on RestingHand::weight for the tangential force. push_wall has the same ratio of weights.
 constexpr double tangential_factor = 1e-2;
-/// Ratio of damping to stiffness of the plane in the plant. The wall in push_wall has the same [s].
+/// Ratio of damping to stiffness of the plane in the plant, as for the wall in push_wall [s].
 constexpr double plane_lag = 0.02;
 
 int body_of(const Model& model, const std::string& frame) {
@@ -136,16 +136,16 @@ class WatchedRest final : public MpcTask {
   std::unique_ptr<MpcTask> task_;
   std::string name_;
   RestingHand rest_;
-  double contact_lost_;   ///< Longest time without force [s].
+  double contact_lost_;   ///< Largest allowed time without force [s].
   int frame_;             ///< Frame of the hand.
   int column_;            ///< Column of the hand in Measurement::wrenches.
-  std::size_t of_task_;   ///< Number of quantities that the task monitors.
+  std::size_t of_task_;   ///< Number of quantities that `task_` monitors.
   bool started_ = false;  ///< Whether `contact_` is set.
   double force_ = 0.0;    ///< Mean normal force of the hand [N].
   double without_ = 0.0;  ///< Time without force [s].
   double felt_ = 0.0;     ///< Largest force since the hand was lifted [N].
   double slip_ = 0.0;     ///< Distance that the hand slid [m].
-  Eigen::Isometry3d contact_ = Eigen::Isometry3d::Identity();  ///< Placement at the first tick.
+  Eigen::Isometry3d contact_ = Eigen::Isometry3d::Identity();  ///< Initial placement of the hand.
 };
 
 }  // namespace

@@ -1,4 +1,4 @@
-// Joints of a task whose description in the robot file lacks a rotor inertia.
+// Joints of a task's robot for which the robot file states no rotor inertia.
 #pragma once
 
 #include <string>

@@ -64,7 +64,7 @@ class Watch {
     return track_begin_ < 0.0 ? pieces_.planned_end
                               : track_begin_ + spec_.task.polish_duration + after_path();
   }
-  /// Returns whether the run continues after `now`.
+  /// Returns whether the run continues after the time `now` [s].
   bool goes_on(double now, const Command& command) {
     if (track_begin_ < 0.0 && command.phase == number_of(Phase::Track)) track_begin_ = now;
     if (track_begin_ < 0.0) return now < pieces_.planned_end + pieces_.patience;
@@ -89,7 +89,7 @@ bool has_rows(const Trace& trace, double start, double end) {
   return (time.array() >= start && time.array() <= end).any();
 }
 
-/// Computes the metrics on the path. The window excludes the start of the path and its end.
+/// Computes the metrics on the path. Their time window excludes the start and the end of the path.
 void measure_path(const RunSpec& spec, const pressing::RunEnd& end, const Watch& watch,
                   RunResult& result) {
   if (watch.track_begin() < 0.0) return;
@@ -128,8 +128,8 @@ void judge(const RunSpec& spec, const pressing::RunEnd& end, const Watch& watch,
                                    seen_from_surface(result.trace, buffer), begin, last);
 }
 
-/// Computes the statistics of a resting hand on the path. Computes the statistics of standing
-/// again, for the feet alone.
+/// Computes the statistics of a resting hand on the path. Repeats the statistics of standing for
+/// the feet alone, because the hand counts as a support too.
 void measure_rest(const RunSpec& spec, const pressing::RunEnd& end, const Watch& watch,
                   RunResult& result) {
   if (!spec.task.rest.is_stated()) return;

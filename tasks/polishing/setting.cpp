@@ -52,7 +52,7 @@ void check_path_on(const Setting& setting, const Task& task) {
                      std::string(task.axes == ForceAxes::Local ? "the tool's" : "the world's") +
                          " axes do not turn with the normal of a " + task.shape.text() +
                          "; wanted surface");
-  // Cosine of the steepest slope, about 70 degrees; chosen by hand.
+  // Cosine of the largest slope angle, about 70 degrees; chosen by hand.
   constexpr double min_cosine = 0.35;
   constexpr int count = 400;  // number of points checked along the path
   const Surface surface = surface_of(setting.scene.tool().surface);

@@ -79,7 +79,7 @@ struct Builder {
   /// Returns the torque that holds the start posture against gravity and the force of a resting
   /// hand.
   Eigen::VectorXd rest_torque() const { return torque_at_start(task, setting); }
-  /// Returns the entries of rest_torque() that have motors.
+  /// Returns the entries of rest_torque() for joints with motors.
   Eigen::VectorXd rest_control() const {
     const Eigen::VectorXd torque = rest_torque();
     return task.standing.stands() ? Eigen::VectorXd(torque.tail(model.nv - 6)) : torque;
@@ -101,8 +101,8 @@ struct Builder {
       f[0] = task_point(task, setting, *path, t).force;
     });
   }
-  /// Returns the reference frame with these axes, fixed in the frame that carries the surface; in
-  /// the world if no frame carries it.
+  /// Returns the reference frame with the axes `axes`, fixed in the frame that carries the surface.
+  /// If no frame carries the surface, the reference frame is fixed in the world.
   Reference on_surface(const Eigen::Matrix3d& axes) const {
     const Anchor of = carrier(task);
     return {of, of, axes};
@@ -373,7 +373,7 @@ MpcSpec make_mpc(const Task& task, const Setting& setting) {
           task.surface_frame.empty()
               ? std::vector<CostTerm>{build.place(0.0), build.move("retreat", build.retreat_speed(),
                                                                    build.last_normal())}
-              // A cost on the speed in the world would be wrong, because this surface moves.
+              // Has no cost on the speed relative to the world, because the surface moves.
               : std::vector<CostTerm>{build.place(1.0)},
           false)};
   problem.terminal = build.everywhere();

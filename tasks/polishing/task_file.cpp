@@ -149,7 +149,7 @@ const files::DescribedFile& file_of(const Task* /*of*/) {
     form.gone("weights", "position_limits", "constraints.joint_margin, which limits plans")
         .gone("weights", "velocity_limits", "constraints.joint_speed, which limits plans")
         .gone("weights", "torque_limits", "constraints.torque, which limits plans");
-    // Order of the limits in the file, by how often they are used.
+    // Orders the limits in the file by how often they are used.
     form.first("limits",
                {"force", "force_window", "tool_speed", "joint_speed_ratio", "joint_margin", "stale",
                 "bad", "contact_lost", "contact_threshold", "late_contact_travel",

@@ -33,7 +33,7 @@ void note_lag(const Task& task, std::vector<std::string>& notes) {
 /// Adds a note if the bandwidth of the force-error estimate is too large for the delays in its
 /// loop.
 void note_force_error(const Task& task, std::vector<std::string>& notes) {
-  constexpr double max_bandwidth = 50.0;  // see ModelErrorOptions [rad/s]
+  constexpr double max_bandwidth = 50.0;  // largest bandwidth, see ModelErrorOptions [rad/s]
   const ModelErrorOptions& error = task.model_error;
   if (error.kind != ModelErrorKind::Force || !error.bandwidth || *error.bandwidth <= max_bandwidth)
     return;

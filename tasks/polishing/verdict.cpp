@@ -73,7 +73,7 @@ VerdictFigures verdict_figures(const Task& task, const Setting& setting, const T
   const Trace::Column time = trace.column("time");
   const double whole = path_time(task);
   const double step = trace.rows() > 1 ? time[1] - time[0] : whole;
-  // Ends half an averaging window early, because later windows extend into the retreat.
+  // Ends half an averaging window before `end`, because later windows reach into the retreat.
   spec.end = std::max(std::min(begin + step, end), end - 0.5 * spec.average);
   const Metrics metrics = measure(trace, setting.robot.model, spec);
   VerdictFigures figures;

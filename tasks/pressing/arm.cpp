@@ -17,8 +17,7 @@ bool is_of_loop(const Model& model, const std::string& frame) {
                      [&](const Loop& loop) { return loop.first == frame || loop.second == frame; });
 }
 
-/// Returns a score of how well a name fits the frame of a tool. The score 0 means that it does not
-/// fit.
+/// Returns a score of how well a name fits a tool frame; 0 means that the name does not fit.
 int likeness(const std::string& name) {
   int rank = 6;
   for (const char* word : {"tcp", "tool", "flange", "grasp", "_ee", "end_effector"}) {
@@ -73,8 +72,8 @@ std::string none_of(const Model& model, const std::string& frame, bool of_tool) 
 
 namespace {
 
-/// Rejects a robot without mass, and a robot with a joint that moves no mass. Returns other robots
-/// unchanged.
+/// Returns `robot` unchanged. Throws EntryError for "robot" if the robot has no mass or if a joint
+/// moves no mass.
 Robot simulable(Robot robot) {
   about("robot", [&] { require_simulable(robot.model); });
   return robot;
@@ -136,8 +135,8 @@ void check_tool_axis(const Eigen::Vector3d& axis, const Eigen::Vector3d& normal,
 std::map<std::string, double> assume_rotors(Model& model, const Eigen::VectorXd& q,
                                             const Disturbances& disturbances,
                                             const LightJointOptions& options) {
-  // Joints that would be too light with 1/1.25 of their inertia get an armature too. If one joint
-  // is light, the description probably states no rotor inertias at all. Chosen by hand.
+  // Factor by which the limit is widened once one joint is light, because the description then
+  // probably states no rotor inertias at all. Chosen by hand.
   constexpr double nearly_light = 1.25;
   std::map<std::string, double> added;
   if (light_joints(model, q, disturbances, options).empty()) return added;

@@ -21,8 +21,8 @@ double seconds_since(Clock::time_point begin) {
   return std::chrono::duration<double>(Clock::now() - begin).count();
 }
 
-/// Controller that forwards ticks to another controller and measures their computing time. `ticks`:
-/// expected number of ticks. If it exceeds a million, only every nth tick is measured.
+/// Controller that forwards ticks to another controller and measures how long each takes. `ticks`:
+/// expected number of ticks. Above a million ticks, only every nth tick is measured.
 class Stopwatch final : public ControllerWrapper {
  public:
   Stopwatch(Controller& timed, double ticks)
@@ -75,7 +75,7 @@ std::optional<BaseEstimatorOptions> estimator_of(const ClosedRun& run) {
   return run.standing != nullptr ? base_estimator(*run.standing) : std::nullopt;
 }
 
-/// Returns for how long the plant continues after a fault [s].
+/// Returns how long the simulation continues after a fault [s].
 double after_fault_of(const ClosedRun& run) {
   constexpr double arm_stops = 0.3;  // time in which an arm comes to rest [s]
   if (run.mpc == nullptr) return 0.0;
@@ -222,7 +222,7 @@ std::string trouble_of(const TaskRun& result, const RunEnd& end, const std::stri
 }
 
 double patience(double limit) {
-  constexpr double usual = 3.0;  // usual time [s]; chosen by hand
+  constexpr double usual = 3.0;  // usual limit [s]; chosen by hand
   return std::isfinite(limit) ? std::max(usual, limit) : usual;
 }
 

@@ -41,7 +41,7 @@ std::vector<Push> with_frames(std::vector<Push> pushes, const Model& model, cons
 void check_disturbances(const Model& model, const SceneSpec& scene,
                         const Disturbances& disturbances);
 
-/// State at the first fault of a run, or at its end.
+/// Time and phase at the first fault of a run, or at the end of a run without a fault.
 struct RunEnd {
   double time = 0.0;  ///< Time of the plant [s].
   int phase = 0;      ///< Phase of the last command.

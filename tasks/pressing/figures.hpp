@@ -1,5 +1,5 @@
-// Table of the statistics of the computing times of a controller's ticks; report/figures.hpp
-// describes such tables.
+// Table of statistics about how long the ticks of a controller take; report/figures.hpp describes
+// such tables.
 #pragma once
 
 #include "burnish/tasks/pressing/plants.hpp"

@@ -16,15 +16,14 @@ namespace burnish {
 namespace {
 
 constexpr double infinity = std::numeric_limits<double>::infinity();
-// Fractions of the base's height above the ground, chosen by hand.
+// Lengths as fractions of the base's height above the ground, chosen by hand.
 constexpr double level = 0.1;      // largest difference in height between feet
 constexpr double opposite = 0.15;  // largest distance of a foot from its partner's mirror image
-// Sizes that are assumed for feet whose size the description does not state.
+// Assumed sizes of feet without a stated size, as fractions of the base's height.
 constexpr double ball_radius = 0.05, sole_length = 0.2, sole_width = 0.1;
-constexpr double longest_sole = 0.25, widest_sole = 0.15;  // largest sizes of a sole
+constexpr double longest_sole = 0.25, widest_sole = 0.15;  // largest sole from inertia
 
-/// Returns a score of how well a name fits a frame at the contact point of a foot. The score 0
-/// means that it does not fit.
+/// Returns a score of how well a name fits a foot frame; 0 means that the name does not fit.
 int score_of(const std::string& name) {
   int score = has_one_of(name, {"sole"})           ? 8
               : has_one_of(name, {"foot", "feet"}) ? 6
@@ -39,10 +38,10 @@ int score_of(const std::string& name) {
 
 /// End of a branch of the robot in the reference posture. The end may be a foot.
 struct End {
-  int body = -1;            ///< Body that carries the frame.
-  std::vector<int> bodies;  ///< Bodies that touch the ground.
+  int body = -1;            ///< Body at the end, which carries `frame`.
+  std::vector<int> bodies;  ///< `body` and the toes that it carries.
   int frame = -1;           ///< Frame whose name has the best score; -1: none.
-  double low = infinity;    ///< Height of the lowest point [m].
+  double low = infinity;    ///< Height of the lowest point of `bodies` [m].
   Eigen::Vector3d middle = Eigen::Vector3d::Zero();  ///< Origin of the frame, else of the body [m].
   int joints = 0;                                    ///< Number of joints of the leg.
 };
@@ -372,7 +371,7 @@ class FootSearch {
       const pressing::SoleShape shape = sole(end, axes, feet.size_from);
       feet.half_x = std::min(feet.half_x, shape.half_x);
       feet.half_y = std::min(feet.half_y, shape.half_y);
-      constexpr double near = 0.1;  // tolerance, as a fraction of half the width
+      constexpr double near = 0.1;  // tolerance of positions / half the width
       put_frame(end, axes * shape.centre, axes, near * shape.half_y, feet);
     }
     return feet;
@@ -390,7 +389,7 @@ class FootSearch {
                            std::sqrt(3.0 * moment / link.mass) * arm.normalized());
   }
 
-  /// Returns whether a foot frame is high above the lowest solid, such as the axle of a wheel.
+  /// Returns whether a foot's frame is well above its lowest solid, as the axle of a wheel is.
   bool is_above_rounding(const End& end) const {
     constexpr double max_radius = 0.2;  // fraction of the base's height; chosen by hand
     const double radius = end.middle.z() - end.low;

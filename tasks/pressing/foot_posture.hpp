@@ -21,7 +21,7 @@ struct FootPosture {
   Eigen::Vector3d com;                       ///< Centre of mass in the world [m].
   /// Target height of base_frame(), used in place of com.z() [m].
   std::optional<double> base_height = {};
-  /// Step ratio of joints outside the legs: 0 keeps them still, 1 treats them as leg joints.
+  /// Factor on the steps of joints outside the legs; 0: still, 1: as for joints of the legs.
   double others = 1.0;
 };
 

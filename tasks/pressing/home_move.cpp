@@ -82,8 +82,8 @@ double time_at_limit(const Model& model, const Eigen::VectorXd& displacement, in
 }
 
 /// Returns the factor by which a leg of the move (the motion between two corners) must last longer
-/// so that torques stay within 0.8 of their limits. Torques of the motion are proportional to the
-/// inverse square of the duration.
+/// so that torques stay within 0.8 of their limits; at most 5. Torques of the motion are
+/// proportional to the inverse square of the duration.
 double stretch_for_torque(const Model& model, const Eigen::VectorXd& q_begin,
                           const Eigen::VectorXd& displacement, double duration) {
   constexpr int samples = 40;

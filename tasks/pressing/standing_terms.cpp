@@ -283,8 +283,7 @@ std::vector<CostTerm> internal_force_costs(const Standing& standing,
   if (standing.internal_forces == 0.0) return terms;
   Vector6 weights = Vector6::Zero();
   weights.head<2>().setOnes();
-  // Weight of the moment. A moment costs as much as the pair of forces at the ends of the sole that
-  // would produce it.
+  // Weight of the moment. A moment M about the normal costs as much as a single force M / half_x.
   if (standing.has_soles()) weights[5] = 1.0 / (standing.half_x * standing.half_x);
   for (const ContactSpec& foot : feet)
     terms.push_back({.name = "internal forces of " + foot.name,

@@ -55,8 +55,8 @@ class Replay {
   Eigen::Isometry3d hand(std::size_t h) const { return body_.placement(hands_[h]); }
   Eigen::Vector3d foot(std::size_t i) const { return body_.placement(feet_[i]).translation(); }
   Eigen::Vector3d com() const { return body_.com(); }
-  /// Returns the offset of the centre of pressure from the middle of a sole, as a fraction of the
-  /// sole's half sides.
+  /// Returns the offset of the centre of pressure from the middle of a sole, as a fraction of a
+  /// half side: the larger fraction of x and y; 0 for point feet and small loads.
   double sole_share(std::size_t foot, int row) const {
     const std::string name = "support_" + task_.standing.feet[foot];
     const double load = trace_.at(row, trace_.index(name + "_fz"));

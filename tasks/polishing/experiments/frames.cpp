@@ -10,8 +10,8 @@
 namespace burnish::polishing {
 namespace {
 
-/// Preset of disturbances, with a type of model-error estimate. The estimate cannot correct wrong
-/// axes of the force, because it treats the measured force along the normal as correct.
+/// Preset of disturbances, and kind of the model-error estimate. No kind can correct wrong axes of
+/// the force, because the measured force along the assumed normal counts as correct.
 struct Circumstance {
   const char* name;
   const char* disturbances;

@@ -1,5 +1,5 @@
-// Store of results with files for each run. Stored runs are not repeated, and several machines can
-// work on one campaign.
+// Store of results, with files for each run. A run with a stored result is not repeated. Several
+// machines can share the runs of one experiment.
 #pragma once
 
 #include <algorithm>
@@ -13,8 +13,8 @@
 
 namespace burnish::polishing {
 
-/// Selection of shards of an experiment. With `count` shards, shard I contains the runs I, I +
-/// count, I + 2 count, ...
+/// Selected shards (parts) of an experiment. Of `count` shards, shard I contains the runs I,
+/// I + count, I + 2 count, ... Shards and runs are counted from 1.
 struct Shard {
   std::vector<int> numbers{1};  ///< Numbers of the selected shards, ascending.
   int count = 1;
@@ -39,8 +39,8 @@ class RunStore {
   /// Returns the name of a result: a hash of all inputs in 32 hexadecimal digits. The inputs are
   /// version, experiment, name of the run, task, robot (all numbers), controller and plant.
   std::string name_of(const std::string& run, const RunSpec& spec) const;
-  /// Returns the name of the result of a run of any task. `depends_on`: text of all inputs of the
-  /// result.
+  /// Returns the name of the result of a run of any task. `depends_on`: text that contains
+  /// all inputs of the result.
   std::string name_of(const std::string& run, const std::string& depends_on) const;
   /// Returns the result with this name, or nothing if the store lacks it. Throws Error for a
   /// malformed file.

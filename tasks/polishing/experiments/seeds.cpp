@@ -13,8 +13,8 @@
 namespace burnish::polishing {
 namespace {
 
-// A run has diverged if it did not polish, or if one of its rms errors exceeds these limits; chosen
-// by hand.
+// Limits of rms errors, chosen by hand. A run above a limit counts as diverged; so does a run that
+// did not polish or whose trace is not finite.
 constexpr double diverged_force = 5.0;      // rms error of the force [N]
 constexpr double diverged_position = 0.02;  // rms error of the position [m]
 
@@ -33,8 +33,8 @@ std::string surface_of(const ExperimentSpec& spec, int seed) {
   return surfaces[to_size(seed) % surfaces.size()];
 }
 
-/// Returns the task of a seed. Overrides of drawn keys have no effect. `undrawn`: cache of the
-/// tasks before disturbances are drawn, by surface.
+/// Returns the task of a seed. Drawn disturbances replace overrides of the same keys. `undrawn`:
+/// cache of the tasks without drawn disturbances, by name of the surface.
 Task task_of(const ExperimentSpec& spec, int seed, std::map<std::string, Task>& undrawn) {
   const std::string surface = surface_of(spec, seed);
   if (!undrawn.contains(surface))
@@ -154,7 +154,7 @@ ResultTable outcomes_table(const std::vector<RunFigures>& figures) {
     if (run.fault != FaultKind::None)
       faults["fault: " + std::string(name_of(run.fault))] += 1.0;
     else if (!run.polished)
-      // Outcome without its details, which differ between runs.
+      // Omits the details after the colon, because they differ between runs.
       others[run.outcome.substr(0, run.outcome.find(':'))] += 1.0;
   }
   table.add({std::string("polished"), polished});
@@ -165,7 +165,7 @@ ResultTable outcomes_table(const std::vector<RunFigures>& figures) {
   return table;
 }
 
-/// Returns the cumulative distribution: fraction of runs below a value, over the value.
+/// Returns the cumulative distribution [%] of the finite `values`, over values times `scale`.
 Curve distribution(std::vector<double> values, double scale) {
   values.erase(std::remove_if(values.begin(), values.end(),
                               [](double value) { return !std::isfinite(value); }),
@@ -180,7 +180,7 @@ Curve distribution(std::vector<double> values, double scale) {
   return curve;
 }
 
-/// Returns marks for all runs; each mark is a short horizontal line.
+/// Returns short horizontal lines of length `width` that mark the points (x, y) of all runs.
 Curve marks(const std::vector<double>& x, const std::vector<double>& y, double width) {
   const auto size = static_cast<Eigen::Index>(x.size());
   Curve curve{.x = Eigen::VectorXd(3 * size), .y = Eigen::VectorXd(3 * size)};
@@ -260,7 +260,7 @@ ExperimentReport perform_seeds(const ExperimentSpec& spec) {
   for (int seed = spec.first_seed; seed < spec.first_seed + seeds; ++seed) {
     BatchRun run;
     run.name = "seed " + std::to_string(seed);
-    // Other shards make most of the runs; only the names of those runs are needed here.
+    // Runs of other shards need a name here, but no task.
     if (spec.shard.has(runs.size())) run.spec.task = task_of(spec, seed, undrawn);
     run.spec.plant = spec.plant;
     runs.push_back(std::move(run));

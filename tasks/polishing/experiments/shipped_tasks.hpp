@@ -10,10 +10,10 @@
 
 namespace burnish::polishing {
 
-/// Names of files in tasks/polishing, without extension, and their texts.
+/// Returns the names (without extension) and the texts of the files in tasks/polishing.
 const std::vector<std::pair<std::string_view, std::string_view>>& shipped_task_texts();
 
-/// Names of files in tasks/stand, without extension, and their texts.
+/// Returns the names (without extension) and the texts of the files in tasks/stand.
 const std::vector<std::pair<std::string_view, std::string_view>>& shipped_stand_texts();
 
 /// Returns the text of public_robots.yaml, the list in this folder.

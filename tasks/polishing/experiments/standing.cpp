@@ -204,8 +204,8 @@ PushPlan push_plan(const ExperimentSpec& spec) {
           .directions = push_directions(spec.quick ? 2 : 12)};
 }
 
-/// Makes all runs after the first push, for each direction whose first push is in the shard of
-/// `spec`. The runs of a direction depend only on its own first push.
+/// Makes the runs that follow the first push of a direction, for all directions in the shard of
+/// `spec`. These runs depend only on earlier pushes in the same direction.
 void search_pushes(const ExperimentSpec& spec, PushPlan& plan, BatchSeries& series) {
   while (true) {
     std::vector<BatchRun> runs;

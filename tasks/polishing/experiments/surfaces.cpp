@@ -12,12 +12,12 @@ namespace {
 
 using Overrides = std::vector<std::string>;
 
-/// Surface with disturbances, and the largest acceptable force error of the worst seed.
+/// Surface and disturbances of a case, with the runs of the case.
 struct SurfaceCase {
   std::string group, name;
   std::string disturbances;  ///< Name of a preset.
   Overrides overrides;
-  double aim;  ///< Aim for the rms error of the force [N].
+  double aim;  ///< Largest acceptable rms error of the force, for the worst seed [N].
   std::vector<RunFigures> runs = {};
 };
 
@@ -26,7 +26,7 @@ struct NamedShape {
   Overrides overrides;
 };
 
-/// Returns a shape of every kind, without the ridge, which the experiment force_test covers.
+/// Returns one shape of each kind except the ridge, which the experiment force_test covers.
 std::vector<NamedShape> shapes() {
   const auto tube = [](const std::string& radius, const std::string& ring) {
     return Overrides{"shape.kind=torus", "shape.radius=" + radius, "shape.ring=" + ring};

@@ -1,5 +1,5 @@
-// Experiment tick: computing times of plans at several plan rates. The runs are made one after the
-// other.
+// Experiment tick: how long the computation of a plan takes, at several plan rates. Runs are made
+// one after another.
 #include <algorithm>
 #include <cmath>
 
@@ -18,8 +18,8 @@ struct RateTimes {
   SolverFigures plans() const {
     return run.metrics && run.metrics->solver ? *run.metrics->solver : SolverFigures{};
   }
-  /// Returns whether 99 % of the plans are ready in time, and whether the force error is at most as
-  /// large as at the slowest rate.
+  /// Returns whether the run polished, had 99 % of its plans in time, and has at most the force
+  /// error of `slowest`, the run with the lowest rate of plans.
   bool holds(const RunFigures& slowest) const {
     return run.polished && plans().updates > 0 && plans().p99 < 1.0 / rate &&
            run["force_rmse"] <= slowest["force_rmse"] + 1e-9;

@@ -77,13 +77,13 @@ ResultTable summary_table(const std::vector<TiltGroup>& groups) {
   return table;
 }
 
-/// Returns a table that compares errors with their aims, as in the paper by Kleff et al.: the mean
-/// over the tilts, and the worst tilt, after averaging over the seeds. NaN if a run lacks a figure.
+/// Returns a table of errors with their aims. Errors are averaged over the seeds. The table has the
+/// mean and the worst error over the tilts, as in the paper by Kleff et al.
 ResultTable aims_table(const std::vector<TiltGroup>& groups, ExperimentReport& report) {
   struct Criterion {
     const char* figure;
     bool mean;
-    double limits[2];  ///< Limits with and without the torque loop.
+    double limits[2];  ///< Largest acceptable error with and without the torque loop.
   };
   const Criterion all[] = {{"force_rmse", true, {0.4, 0.8}},
                            {"force_rmse", false, {0.6, 1.2}},
