@@ -32,7 +32,7 @@ std::optional<Loops> loops_of(const Task& task, const Setting& setting, const Lo
   try {
     return Loops{{spec, chain, free_phase(spec)}, {spec, chain, pressing_phase(spec)}};
   } catch (const Error&) {
-    return std::nullopt;  // the start has no plan; the run reports the reason
+    return std::nullopt;  // no plan exists at the start; the run reports the reason
   }
 }
 
@@ -51,8 +51,8 @@ std::string rounded(double value, const char* format) {
   return text;
 }
 
-/// Returns the text of one end of a gain range: "0.1 or less (joint_a)". If the search ended at its
-/// bound, the text contains `beyond`, such as " or less".
+/// Returns the text of one end of a gain range: "0.1 or less (joint_a)". If `is_bound`, the search
+/// ended at its bound, and the text contains `beyond`, such as " or less".
 std::string range_end(const std::string& joint, double gain, bool is_bound, const char* beyond) {
   return rounded(gain, "%.2g") + (is_bound ? beyond : "") + " (" + joint + ")";
 }

@@ -108,7 +108,7 @@ Path::Path(const PathSpec& spec) : spec_(spec), duration_(std::numeric_limits<do
       break;
   }
   if (corners_.empty()) return;
-  // The peak rate of a Blend is 15/8 of its mean rate.
+  // The peak speed of a segment is 15/8 of its mean speed, and must not exceed spec.speed.
   double time = 0.0;
   for (std::size_t i = 0; i < corners_.size(); ++i) {
     if (i > 0) time += std::max(0.05, (corners_[i] - corners_[i - 1]).norm() / spec.speed * 1.875);
@@ -133,7 +133,7 @@ PlanarPoint Path::circle(double t) const noexcept {
 }
 
 PlanarPoint Path::spiral(double t) const noexcept {
-  // The radius varies as 1 - cos(phase), out and back; the phase starts smoothly.
+  // The radius grows and shrinks as 1 - cos(phase). The rate of the phase starts at zero.
   const double T = spec_.start_up;
   const double turns = spec_.radius / spec_.pitch;
   const double w = spec_.rate / (2.0 * turns);

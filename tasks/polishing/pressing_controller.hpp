@@ -13,8 +13,8 @@ namespace burnish::polishing {
 
 class PressingController {
  public:
-  /// Creates a controller for `problem`, made by polishing::reference_problem() with `tool`. It
-  /// plans at 1 kHz; target and measured force are 30 N. Uses only the thread options of `threads`.
+  /// Creates a controller that plans at 1 kHz. `problem`: result of reference_problem() for the
+  /// frame `tool`. Target and measured force are 30 N. `threads`: only thread options are used.
   PressingController(const ProblemSpec& problem, const std::string& tool,
                      const DdpOptions& threads = {})
       : controller_(spec(problem, tool, threads)) {

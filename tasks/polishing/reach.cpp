@@ -36,7 +36,7 @@ void visit_path(pressing::ReachWalk& walk, const Task& task, const Setting& sett
   const long steps = std::lround(std::ceil(end / dt));
   for (long i = 0; i <= steps; ++i) {
     const Eigen::Vector2d here = path.at(std::min(end, static_cast<double>(i) * dt)).p;
-    // A fast path is checked at several points within dt.
+    // Visits points options.spacing apart: on a fast path, several points within dt.
     const double length = (here - before).norm(), s_before = s;
     s += length;
     while (visited + options.spacing <= s || (i == steps && visited < s)) {

@@ -10,8 +10,8 @@
 namespace burnish::polishing {
 
 /// Returns the problem with `knots` knots of 10 ms and the initial state (q0, 0). The contact holds
-/// one direction, world z, at the height of `frame` at q0. The contact has the gains (0, 50) and
-/// the acceleration `Classical`.
+/// `frame` at its initial height (world z) and leaves other directions free. The contact uses
+/// kp = 0, kd = 50 and the acceleration `Classical`.
 inline ProblemSpec reference_problem(const Model& model, const std::string& frame,
                                      const Eigen::VectorXd& q0, int knots) {
   const int nv = model.nv;

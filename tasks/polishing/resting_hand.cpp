@@ -27,8 +27,7 @@ int body_of(const Model& model, const std::string& frame) {
   return model.has_frame(frame) ? model.frames[to_size(model.frame_index(frame))].body : -1;
 }
 
-/// Throws EntryError if the hand is on the same link as `frame`, another frame of the task. `key`:
-/// key of `frame` in task files.
+/// Throws EntryError if the hand is on the link of `frame`. `key`: key of `frame` in task files.
 void refuse_same_link(const RestingHand& rest, const Model& model, const std::string& key,
                       const std::string& frame) {
   if (frame.empty() || body_of(model, frame) != body_of(model, rest.frame)) return;
@@ -37,7 +36,7 @@ void refuse_same_link(const RestingHand& rest, const Model& model, const std::st
                                      "); wanted a hand on another link");
 }
 
-/// Throws EntryError if the hand carries a foot, as a link of a leg or the base does.
+/// Throws EntryError if the hand is on the base or on a link of the leg of `foot`.
 void refuse_leg(const RestingHand& rest, const Model& model, const std::string& foot) {
   const int hand = body_of(model, rest.frame);
   for (int body = body_of(model, foot); body >= 0; body = model.joints[to_size(body)].parent)
@@ -47,7 +46,7 @@ void refuse_leg(const RestingHand& rest, const Model& model, const std::string& 
                                          " (standing.feet); wanted a hand outside legs and base");
 }
 
-/// Throws EntryError if other keys of `rest` are stated without the frame of the hand.
+/// Throws EntryError if `rest` states other keys but no frame of the hand.
 void refuse_nameless(const RestingHand& rest) {
   const auto numbers = [](const RestingHand& of) {
     return std::array{of.force,     of.radius, of.friction, of.plan_friction,
@@ -67,7 +66,7 @@ Eigen::VectorXd force_of_plane(const RestingHand& rest, const RigidBody& body) {
   return rest.force * (at.jacobian.topRows<3>().transpose() * rest.normal_world.normalized());
 }
 
-/// Task of a controller that also monitors a resting hand: the time without force, and the slip.
+/// Adds monitors of a resting hand to another task: the hand's time without force, and its slip.
 class WatchedRest final : public MpcTask {
  public:
   WatchedRest(std::unique_ptr<MpcTask> task, const MpcSpec& spec, const RestingHand& rest,

@@ -11,8 +11,8 @@ namespace burnish::polishing {
 /// Throws EntryError if the resting hand is inconsistent with the robot or with other keys.
 void check_rest(const Task& task, const Model& model);
 
-/// Returns the hand as a support. Its plane touches the hand in the configuration q (nq), and is
-/// indented there by the stated force.
+/// Returns the hand as a support on its plane. In the configuration `q` (nq), the hand indents the
+/// plane with the stated force.
 TouchSpec resting_support(const RestingHand& rest, const Model& model, const Eigen::VectorXd& q);
 
 /// Returns the supports of a scene that are feet.

@@ -26,7 +26,7 @@ struct Pieces {
   MpcController* mpc = nullptr;  ///< The controller if it is an MpcController, else null.
   double period = 0.0;           ///< Period of the controller's ticks [s].
   double planned_end = 0.0;      ///< Planned end of the run [s].
-  double patience = 0.0;         ///< Longest time by which contact may be late [s].
+  double patience = 0.0;         ///< Longest allowed delay of contact [s].
 };
 
 Pieces make_controller(const RunSpec& spec, const Setting& setting) {
@@ -83,7 +83,7 @@ class Watch {
   double track_begin_ = -1.0;  ///< Start of the path; negative before the start [s].
 };
 
-/// Returns whether the trace has a row within the window. In a long run, rows are far apart.
+/// Returns whether the trace has a row from `start` to `end` [s]. Long runs have sparse rows.
 bool has_rows(const Trace& trace, double start, double end) {
   const Trace::Column time = trace.column("time");
   return (time.array() >= start && time.array() <= end).any();
@@ -145,7 +145,7 @@ void measure_rest(const RunSpec& spec, const pressing::RunEnd& end, const Watch&
 }
 
 /// Returns the outcome of a run in one sentence. `failure`: reason why the run did not pass the
-/// verdict; empty: it passed.
+/// verdict; empty if the run passed.
 std::string outcome_of(const Task& task, const RunResult& result, const Watch& watch,
                        const pressing::RunEnd& end, const std::string& failure) {
   const std::string when = " at " + number(end.time) + " s";

@@ -95,8 +95,8 @@ void check_carrier(const Task& task, const Model& model) {
 }  // namespace
 
 namespace {
-/// Checks the pressing direction Task::tool_axis at the start. Postures found by search need no
-/// check.
+/// Returns `setting` if the pressing direction Task::tool_axis is valid at the start. Throws
+/// EntryError if it is not.
 Setting checked_axis(const Task& task, Setting setting) {
   if (!task.tool_axis) return setting;
   const Model& model = setting.robot.model;

@@ -59,14 +59,13 @@ std::vector<CostTerm> waving_costs(const Task& task, const Setting& setting) {
            .weight = task.waving.rotation}};
 }
 
-constexpr int time_input = 0;  // index of the input "time", which plans without preview have
+constexpr int time_input = 0;  // index of the input "time" of plans without preview
 
 struct Builder {
   const Task& task;
   const Setting& setting;
   const Model& model;
   std::shared_ptr<const Path> path;
-  /// Contacts of the feet.
   std::vector<ContactSpec> feet = pressing::foot_contacts(model, task.standing, setting.q_start);
 
   Eigen::VectorXd state_target() const {
@@ -150,9 +149,8 @@ struct Builder {
     return pressing::place_cost("position", task.tool, position(), on_surface(setting.surface_axes),
                                 *task.weights.position, normal_weight);
   }
-  /// Returns the speed of the tool along the normal during the retreat, over the schedule's time
-  /// [m/s]. With a target height instead, the tool would press into a surface that is higher than
-  /// modelled.
+  /// Returns the target speed of the tool along the normal during the retreat, over the time of the
+  /// schedule [m/s]. A target height could press the tool into a surface higher than modelled.
   Signal retreat_speed() const {
     return Signal::over_time(
         6, [task = task, begin = setting.track_end](double t, Eigen::Ref<Eigen::VectorXd> v) {

@@ -52,7 +52,7 @@ class AdmittanceLoop {
   double speed_ = 0.0;                               ///< Speed along the normal [m/s].
   Eigen::VectorXd q_, zero_, posture_, velocity_limit_, homing_, step_, inverse_M_Jt_;
   Eigen::MatrixXd J_;
-  Eigen::LLT<Eigen::Matrix3d> damped_;  ///< Factorization of J J^T + ik_damping^2.
+  Eigen::LLT<Eigen::Matrix3d> damped_;  ///< Factorization of J J^T + ik_damping^2 I.
   Eigen::LLT<Eigen::MatrixXd> factor_;  ///< Factorization of the mass matrix.
 };
 

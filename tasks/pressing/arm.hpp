@@ -29,7 +29,7 @@ void refuse_floating_base(const Model& model);
 
 /// Returns the posture named `posture` (nq), or the default posture if the name is empty. Calls
 /// `search` in two cases: for the name searched_posture, and for an empty name if the robot has no
-/// default posture. Throws EntryError for "posture".
+/// default posture. Throws EntryError for "posture" if the name is unknown or the search fails.
 Eigen::VectorXd start_posture(const Robot& robot, const std::string& posture,
                               const std::function<Eigen::VectorXd()>& search);
 

@@ -43,13 +43,13 @@ void check_disturbances(const Model& model, const SceneSpec& scene,
 
 /// Time and phase at the first fault of a run, or at the end of a run without a fault.
 struct RunEnd {
-  double time = 0.0;  ///< Time of the plant [s].
+  double time = 0.0;  ///< Simulated time [s].
   int phase = 0;      ///< Phase of the last command.
 };
 
-/// Runs the loop until goes_on() returns false, the plant fails, the time after a fault has passed,
-/// or the progress function stops the run. Throws Error for an unavailable plant and for invalid
-/// disturbances.
+/// Runs the loop until goes_on() returns false, the plant fails, or the progress function stops the
+/// run. After a fault, the run continues for a limited time. Throws Error for an unavailable plant
+/// and for invalid disturbances.
 RunEnd run_closed_loop(const ClosedRun& run, TaskRun& result);
 
 /// Returns a sentence about what ended the run early: a failure of the plant, a fault, or an

@@ -314,7 +314,7 @@ class FootSearch {
     const bool turned = feet.has_soles();  // a point foot may have axes of any orientation
     if (end.frame >= 0 && frame(end.frame).kind != FrameKind::Joint) {
       const Eigen::Isometry3d& at = placement(end.frame);
-      // Largest difference between rotation matrices that count as equal (norm), chosen by hand.
+      // Norm of the difference below which rotation matrices count as equal; chosen by hand.
       constexpr double same = 1e-2;
       if ((at.translation() - p).norm() < tolerance &&
           (!turned || (at.linear() - axes).norm() < same)) {
@@ -335,7 +335,7 @@ class FootSearch {
   /// Returns the sole of a foot in the given axes. Its size comes from the foot's solids, or else
   /// from its inertia, or else from the height of the base.
   pressing::SoleShape sole(const End& end, const Eigen::Matrix3d& axes, Feet::Size& from) const {
-    constexpr double min_side = 0.02;  // fraction of the base's height; chosen by hand
+    constexpr double min_side = 0.02;  // shortest side, as a fraction of the base's height
     if (const auto sole = pressing::sole_of(solids_in(end, axes), min_side * height_)) {
       from = Feet::Size::Collision;
       return *sole;
@@ -382,7 +382,7 @@ class FootSearch {
   std::optional<Eigen::Vector3d> tip_of(const End& end) const {
     const Joint& link = joint(end.body);
     const Eigen::Vector3d arm = body_at(end.body).linear() * link.com;
-    constexpr double min_arm = 0.02;  // fraction of the base's height; chosen by hand
+    constexpr double min_arm = 0.02;  // shortest arm, as a fraction of the base's height
     if (!(link.mass > 0.0) || arm.norm() < min_arm * height_) return std::nullopt;
     const double moment = link.inertia_at_com.diagonal().maxCoeff();
     return Eigen::Vector3d(body_at(end.body).translation() + arm +

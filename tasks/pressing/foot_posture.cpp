@@ -22,8 +22,8 @@ Eigen::Vector3d turn_to(const Eigen::Matrix3d& target, const Eigen::Matrix3d& R)
   return turn.angle() * turn.axis();
 }
 
-/// Returns whether each entry of v (nv) belongs to the base or to a joint between the base and a
-/// foot.
+/// Returns for each entry of v (nv) whether it belongs to the base or to a joint between the base
+/// and a foot.
 std::vector<bool> entries_of_legs(const Model& model, const Standing& standing) {
   std::vector<bool> leg(to_size(model.nv), false);
   for (const std::string& foot : standing.feet) {
@@ -160,8 +160,8 @@ std::optional<Eigen::VectorXd> posture_on_feet(const Model& model, const Standin
                                                const FootPosture& wanted, const Eigen::VectorXd& q,
                                                double tolerance, Eigen::VectorXd* last) {
   constexpr int max_iterations = 200;
-  constexpr double max_step = 0.2;  // largest step of an iteration [rad (m)], chosen by hand
-  constexpr double damping = 1e-4;  // weight of the step relative to squared errors, chosen by hand
+  constexpr double max_step = 0.2;  // largest step of an iteration [rad (m)]; chosen by hand
+  constexpr double damping = 1e-4;  // weight of |dq|^2 relative to |error|^2; chosen by hand
   OffPlace off(model, standing, wanted);
   const std::vector<bool> leg = entries_of_legs(model, standing);
   Eigen::VectorXd step_ratios = Eigen::VectorXd::Ones(model.nv);
@@ -183,8 +183,8 @@ std::optional<Eigen::VectorXd> posture_on_feet(const Model& model, const Standin
 
 namespace {
 
-/// Returns the leg joints that are at their limits, as "; the search ended at limits of 'knee',
-/// 'ankle'"; empty if there are none.
+/// Returns the leg joints that are at their limits, as "; the search ended at the limits of the
+/// joints 'knee', 'ankle'"; empty if there are none.
 std::string joints_at_limits(const Model& model, const Standing& standing,
                              const Eigen::VectorXd& q) {
   constexpr double near = 1e-6;

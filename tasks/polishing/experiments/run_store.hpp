@@ -28,12 +28,12 @@ struct Shard {
 std::string numbers_of(const Robot& robot);
 
 /// Store of results in one or several folders. Each result consists of two files. NAME.json is
-/// identical on all machines that use the same kernels. NAME.times.json contains measured times and
-/// the kernels.
+/// identical on all machines whose kernels use the same instruction set. NAME.times.json contains
+/// measured times and the instruction set.
 class RunStore {
  public:
   /// The store searches all folders in the given order. It writes into the first folder, which is
-  /// created if needed. `experiment` and `version` enter the names of results.
+  /// created if needed. The names of results depend on `experiment` and `version`.
   RunStore(std::string experiment, std::string version, std::vector<std::filesystem::path> folders);
 
   /// Returns the name of a result: a hash of all inputs in 32 hexadecimal digits. The inputs are

@@ -42,7 +42,7 @@ Task task_of(const ExperimentSpec& spec, int seed, std::map<std::string, Task>& 
   Task task = undrawn.at(surface);
   const NamedRanges& ranges = ranges_named(spec.ranges);
   draw_disturbances(ranges.ranges, static_cast<std::uint64_t>(seed), task);
-  // The shape changes after each surface has been used once, so that all combinations occur.
+  // Successive seeds cycle through the surfaces. The shape changes after each full cycle.
   const std::size_t turn = to_size(seed) / surfaces_of(spec).size();
   if (!ranges.shapes.empty()) task.shape = ranges.shapes[turn % ranges.shapes.size()];
   return task;

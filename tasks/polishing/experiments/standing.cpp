@@ -70,7 +70,7 @@ std::vector<std::string> presets_of(const ExperimentSpec& spec) {
   return disturbance_presets();
 }
 
-/// Returns the runs of all cases and presets. Adds their groups to `groups`, without results.
+/// Returns the runs of all cases and presets. Appends one group for each case and preset.
 std::vector<BatchRun> preset_runs(const ExperimentSpec& spec, std::vector<StandingGroup>& groups) {
   const int seeds = seeds_of(spec, spec.quick ? 1 : 50);
   std::vector<BatchRun> runs;

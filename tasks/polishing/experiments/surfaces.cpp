@@ -67,8 +67,8 @@ std::vector<SurfaceCase> all_cases() {
   return cases;
 }
 
-/// Returns the first case of each group. Omits surfaces that are so soft that the tip needs seconds
-/// to sink in.
+/// Returns the first case of each group. Skips the softest surface, because the tip needs seconds
+/// to sink into it.
 std::vector<SurfaceCase> quick_cases() {
   std::vector<SurfaceCase> some;
   for (const SurfaceCase& one : all_cases()) {

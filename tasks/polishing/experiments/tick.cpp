@@ -9,7 +9,7 @@
 namespace burnish::polishing {
 namespace {
 
-/// Run with one rate of plans.
+/// Run that computes plans at one rate.
 struct RateTimes {
   double rate;       ///< Rate of plans [Hz].
   double tick_rate;  ///< Rate of ticks [Hz].
