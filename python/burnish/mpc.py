@@ -45,10 +45,9 @@ class Controller(abc.ABC):
     The controllers of the library are of this class. Your own controller needs the attribute `nv` and
     the two methods below. An exception of a method ends the run, and the methods of the loop raise it.
 
-    The attribute `touches` is optional. A loop reads it when it is made. A controller that passes measurements
-    to another controller needs the `touches` of that controller.
-
-    The attributes `signals` and `signal_values` are optional, too. They publish values in the trace of a loop."""
+    The attributes `touches`, `signals` and `signal_values` are optional; each may be a property. A loop reads
+    `touches` and `signals` when it is made, and `signal_values` after each tick. A controller around another one
+    returns the `touches` of the other one, and adds its own signals to those of the other one."""
 
     if TYPE_CHECKING:
 

@@ -50,6 +50,13 @@ Wrenches read_wrenches(const py::object& object, const char* kind, Eigen::Index 
   return values;
 }
 
+/// Returns true if the object has the attribute. A property that raises AttributeError counts as
+/// present, so that reading it shows the error.
+bool has(const py::object& object, const char* name) {
+  const py::object find = py::module_::import("inspect").attr("getattr_static");
+  return py::hasattr(object, name) || !find(object, name, py::none()).is_none();
+}
+
 Eigen::VectorXd read_vector(const py::object& object, const char* kind, const char* name,
                             Eigen::Index size) {
   Eigen::VectorXd values = read<Eigen::VectorXd>(object, kind, name);
@@ -209,12 +216,12 @@ class ControllerPart::Adaptor final : public Controller {
     if (nv_ < 0) throw Error("Controller.nv: got " + std::to_string(nv_) + "; wanted at least 0");
     command_.tau = Eigen::VectorXd::Zero(nv_);
     using Units = std::map<std::string, std::string>;
-    if (py::hasattr(controller, "signals"))
+    if (has(controller, "signals"))
       for (const auto& [name, unit] : read<Units>(controller, "Controller", "signals"))
         signals_.push_back({name, unit});
     if (!signals_.empty()) (void)attribute(controller, "Controller", "signal_values");
     values_.resize(signals_.size());
-    if (!py::hasattr(controller, "touches")) return;
+    if (!has(controller, "touches")) return;
     using Frames = std::optional<std::vector<std::string>>;
     if (const Frames frames = read<Frames>(controller, "Controller", "touches"))
       for (touches_.emplace(); const std::string& frame : *frames) touches_->push_back({frame});

@@ -460,6 +460,14 @@ def test_signals_of_a_controller_are_columns_of_the_trace(robot, q, scene):
     with pytest.raises(burnish.Error, match="got no value for signal 'last'"):
         loop.step()
 
+    class Misspelt(Posture):
+        @property
+        def signals(self):
+            return self.signls
+
+    with pytest.raises(AttributeError, match="signls"):
+        burnish.ClosedLoop(plant, Misspelt(robot.model, q))
+
 
 def test_python_exception_comes_out_of_reset_and_step(robot, q, scene):
     class Plant(Wrapped):

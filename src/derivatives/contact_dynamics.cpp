@@ -99,6 +99,7 @@ struct ContactDynamics::Impl {
 
   Status load(const ConstVectorRef& q, const ConstVectorRef& v) {
     if (q.size() != nq || v.size() != nv) return Status::WrongSize;
+    invalidate();
     dynamics.set_state(q.data(), v.data());
     return copy_state();
   }
@@ -107,6 +108,7 @@ struct ContactDynamics::Impl {
     if (state.q.size() != nq || state.v.size() != nv ||
         !same_size(state.kinematics, dynamics.kinematics()))
       return Status::WrongSize;
+    invalidate();
     dynamics.set_state(state.q.data(), state.v.data(), state.kinematics);
     return copy_state();
   }
@@ -141,7 +143,6 @@ struct ContactDynamics::Impl {
   /// Loads the state and runs `kernel` on it, unless an argument has the wrong size.
   Status evaluate(const ConstVectorRef& q, const ConstVectorRef& v, Evaluation what, bool sizes_fit,
                   const auto& kernel) {
-    invalidate();
     if (!sizes_fit || load(q, v) == Status::WrongSize) return Status::WrongSize;
     kernel(dynamics);
     evaluated = what;
@@ -274,14 +275,10 @@ std::string ContactDynamics::explanation() const {
 }
 
 Status ContactDynamics::update(const ConstVectorRef& q, const ConstVectorRef& v) {
-  impl_->invalidate();
   return impl_->load(q, v);
 }
 
-Status ContactDynamics::update(const RigidBody& body) {
-  impl_->invalidate();
-  return impl_->load(body.state());
-}
+Status ContactDynamics::update(const RigidBody& body) { return impl_->load(body.state()); }
 
 Status ContactDynamics::forward(const ConstVectorRef& tau) {
   if (!impl_->is_loaded) return Status::NotEvaluated;

@@ -61,6 +61,7 @@ MpcController::Impl::Impl(MpcSpec given)
       motors_(spec.problem.model, spec.limits, spec.tick_period),
       black_box_(spec.problem.model, spec.tick_period, fault),
       watched_(task->watched()),
+      task_signals_(task->signals().size()),
       readings_(watched_.size()),
       tool_(spec.tool.empty() ? -1 : RigidBody(spec.problem.model).frame(spec.tool)),
       base_(spec.base.empty() ? -1 : RigidBody(spec.problem.model).frame(spec.base)),

@@ -123,6 +123,7 @@ struct MpcController::Impl {
   MotorWatch motors_;
   BlackBox black_box_;
   std::vector<WatchedQuantity> watched_;
+  std::size_t task_signals_;       ///< Number of signals of the task.
   std::vector<Reading> readings_;  ///< Present values of the quantities in watched_.
   int tool_;                       ///< Frame of the tool; -1: none.
   int base_;                       ///< Frame of the robot that carries the surface; -1: the world.

@@ -51,7 +51,8 @@ void MpcController::Impl::write_signals(std::span<double> values) const noexcept
   each_signal([&](const auto&, double value) {
     if (count < values.size()) values[count++] = value;
   });
-  task->write_signals(values.subspan(count));
+  if (values.size() >= count + task_signals_)
+    task->write_signals(values.subspan(count, task_signals_));
 }
 
 }  // namespace burnish

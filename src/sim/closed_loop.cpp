@@ -502,7 +502,12 @@ std::vector<ClosedLoop::Impl::Signal> ClosedLoop::Impl::signals_of(const Model& 
   for (TraceColumn& column : published) column.name.insert(0, "signal_");
   const std::size_t count = published.size();
   result.push_back({std::move(published),
-                    [count](L l, Row& row) { l.controller->write_signals(row.next(count)); },
+                    [count](L l, Row& row) {
+                      const std::span<double> values = row.next(count);
+                      std::fill(values.begin(), values.end(),
+                                std::numeric_limits<double>::quiet_NaN());
+                      l.controller->write_signals(values);
+                    },
                     is_of_step});
   return result;
 }

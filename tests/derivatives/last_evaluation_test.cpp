@@ -78,6 +78,18 @@ TEST_F(LastEvaluation, ForwardAtTheLoadedState_EqualsAFreshEvaluation) {
   EXPECT_EQ(kept.update(RigidBody(named_robot("four_bar"))), Status::WrongSize);
 }
 
+TEST_F(LastEvaluation, WrongSize_ChangesNoResult) {
+  ASSERT_EQ(dynamics_.forward(s_.q, s_.v, s_.tau), Status::Ok);
+  const Vector6 before = dynamics_.wrench(0, Reference::local());
+  const Eigen::VectorXd three = Eigen::VectorXd::Zero(3);
+  EXPECT_EQ(dynamics_.update(three, s_.v), Status::WrongSize);
+  EXPECT_EQ(dynamics_.update(RigidBody(named_robot("four_bar"))), Status::WrongSize);
+  EXPECT_EQ(dynamics_.forward(s_.q, s_.v, three), Status::WrongSize);
+  EXPECT_EQ(dynamics_.inverse(s_.q, three, s_.tau, ten_), Status::WrongSize);
+  EXPECT_EQ(dynamics_.wrench(0, Reference::local()), before);
+  EXPECT_EQ(dynamics_.forward_derivatives(), Status::Ok);
+}
+
 TEST_F(LastEvaluation, Acceleration_HasNoForces) {
   EXPECT_EQ(dynamics_.wrench(0, Reference::local()), Vector6::Zero());
   ASSERT_EQ(dynamics_.forward(s_.q, s_.v, s_.tau), Status::Ok);

@@ -53,7 +53,9 @@ class CountingTicks final : public Controller {
  public:
   explicit CountingTicks(int nv) { command_.tau.setZero(nv); }
   int nv() const override { return static_cast<int>(command_.tau.size()); }
-  std::vector<TraceColumn> signals() const override { return {{"ticks", "-"}, {"ticked_at", "s"}}; }
+  std::vector<TraceColumn> signals() const override {
+    return {{"ticks", "-"}, {"ticked_at", "s"}, {"unwritten", "m"}};
+  }
   void write_signals(std::span<double> values) const noexcept override {
     values[0] = ticks_;
     values[1] = time_;
@@ -85,6 +87,7 @@ TEST(ClosedLoop, SignalsOfTheController_AreColumnsOfTheTrace) {
   for (int row = 0; row < 6; ++row) {
     EXPECT_EQ(trace.column("signal_ticks")[row], 1 + row / 2);
     EXPECT_NEAR(trace.at(row, last), (row - row % 2) * plant->dt(), 1e-12);
+    EXPECT_TRUE(std::isnan(trace.column("signal_unwritten")[row]));
   }
 }
 

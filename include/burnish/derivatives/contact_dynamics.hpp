@@ -106,9 +106,10 @@ class ContactDynamics {
   /// Loads the state `q` (nq) and `v` (nv), and fills mass_matrix(), bias() and jacobian(). Returns
   /// Ok, WrongSize, NotFinite or NotNormalized.
   Status update(const ConstVectorRef& q, const ConstVectorRef& v);
-  /// Does what update(q, v) does, at the last accepted state of `body`, whose kinematics are not
-  /// computed again. `body` must have the same model. Returns WrongSize if its tree of joints has
-  /// another size.
+  /// Does what update(q, v) does, at the last accepted state of `body`, and reuses the kinematics
+  /// of `body`. `body` must have the same model; its payload has no effect. Before its first
+  /// update(), the state of `body` is the neutral configuration at rest. Returns WrongSize if the
+  /// joint trees have different sizes; other differences of the models are not detected.
   Status update(const RigidBody& body);
   /// Computes joint accelerations and contact forces at the state of the last update() or other
   /// evaluation, without computing kinematics and mass matrix again. Active contacts, references,

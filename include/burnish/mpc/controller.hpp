@@ -67,12 +67,14 @@ class Controller {
   /// of the plant's scene. ClosedLoop throws Error if the controller reads a component of a wrench
   /// that the scene does not measure. WrenchSensor::Automatic stands for the measured components.
   virtual std::optional<std::vector<TouchSensor>> touches() const { return std::nullopt; }
-  /// Returns names and units of the values that the controller publishes, such as estimates.
-  /// ClosedLoop records each value in a column "signal_<name>" of the trace, and the page of a run
-  /// plots them.
+  /// Returns names and units of the values that the controller publishes, such as estimates. A
+  /// ClosedLoop calls signals() when it is made, and records each value in a column "signal_<name>"
+  /// of its trace. The page of a run plots the signals: of each unit, up to seven with the largest
+  /// absolute values. Names must differ, and must be valid names of a TraceColumn.
   virtual std::vector<TraceColumn> signals() const { return {}; }
-  /// Writes the values of signals() at the last tick. `values` has one entry per signal. Called
-  /// once per row of a trace. Must not allocate.
+  /// Writes the values of signals() at the last tick. `values` has one entry per signal; entries
+  /// that are not written count as unknown (NaN). Called once per row of a trace. Must not
+  /// allocate.
   virtual void write_signals(std::span<double> /*values*/) const noexcept {}
   /// Forgets all previous ticks.
   virtual void reset() noexcept = 0;
@@ -96,8 +98,10 @@ class Controller {
   Controller& operator=(const Controller&) = default;
 };
 
-/// Controller that passes all calls on to another controller. A class that changes or records the
-/// measurements or commands of a controller derives from it, and overrides only what differs.
+/// Controller that passes all calls of the interface Controller on to another controller. A class
+/// that changes or records the measurements or commands of a controller derives from it, and
+/// overrides only what differs. A wrapper with signals of its own appends them to those of inner(),
+/// and passes only the first entries of `values` on.
 class ControllerWrapper : public Controller {
  public:
   /// `inner` must outlive the wrapper.
@@ -116,6 +120,9 @@ class ControllerWrapper : public Controller {
     return inner_->set_payload(frame, payload);
   }
   double payload_mass() const noexcept override { return inner_->payload_mass(); }
+
+ protected:
+  Controller& inner() const { return *inner_; }
 
  private:
   Controller* inner_;

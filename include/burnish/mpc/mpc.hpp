@@ -77,7 +77,8 @@ class MpcController final : public Controller {
   int nv() const override;
   /// Returns the result of touch_sensors() for the specification.
   std::optional<std::vector<TouchSensor>> touches() const override;
-  /// Returns the names of the estimates that change plans, followed by the signals of the task:
+  /// Returns names and units of estimates, followed by the signals of the task. The estimates are
+  /// those that change plans and have no entry in Command:
   /// - `torque_error_<joint>` for each actuated joint, with ModelErrorKind::Torque
   /// (torque_error());
   /// - `force_error`, with ModelErrorKind::Force (force_error());

@@ -135,7 +135,8 @@ class MpcTask {
   /// Forgets all previous ticks.
   virtual void reset() noexcept {}
   /// Returns the events that are present now: bit e stands for entry e of events(). Called first in
-  /// every tick, before the schedule's clock advances.
+  /// every tick with a valid measurement, before the schedule's clock advances. Not called while
+  /// the estimators settle (MpcSpec::settle) and after a fault.
   virtual unsigned sense(const TaskView& /*view*/) noexcept { return 0; }
   /// Returns the estimated surface that the tool touches or approaches. If the result is null,
   /// plans keep the last surface that was not null. After reset(), plans use the surfaces of the
@@ -163,10 +164,13 @@ class MpcTask {
   /// force was 1.4 N; 2 N count as contact". Called right after watch() if entry `quantity` of
   /// watched() exceeds its limit.
   virtual void explain(std::size_t /*quantity*/, std::span<char> /*clause*/) const noexcept {}
-  /// Returns names and units of the values that the task publishes in traces and on pages (see
-  /// Controller::signals()). The controller publishes them after its own signals.
+  /// Returns names and units of the values that the task publishes in traces and on pages, in
+  /// addition to the signals of the controller. Names must differ from those of
+  /// MpcController::signals().
   virtual std::vector<TraceColumn> signals() const { return {}; }
-  /// Writes the values of signals() at the last tick.
+  /// Writes the current values of signals(). `values` has one entry per signal of the task; entries
+  /// that are not written count as unknown (NaN). Called once per row of a trace. Must not
+  /// allocate.
   virtual void write_signals(std::span<double> /*values*/) const noexcept {}
   /// Writes the current targets into Command::p_target_world and Command::target_force. `time` is
   /// the schedule's time [s]. Both targets are recorded in traces. The estimate of the model error

@@ -78,8 +78,8 @@ struct ClosedLoopOptions {
 ///     support_<frame>_fx|fy|fz [N], support_<frame>_mx|my|mz [Nm]
 ///                                                  wrench on each support of the scene, in the
 ///                                                  axes of the support's frame
-///     signal_<name>                                values that the controller publishes
-///                                                  (Controller::signals())
+///     signal_<name>                                values that the controller published at its
+///                                                  last tick (Controller::signals())
 /// Each further touch that is not a support has columns that begin with tool_<frame>_, followed by
 /// x|y|z_world, rx|ry|rz_start, force_x|y|z_world, measured_force_x|y|z_world,
 /// surface_normal_x|y|z_world, in_contact and, for a surface that the robot carries,
@@ -91,6 +91,7 @@ class ClosedLoop {
   /// - if controller and plant have different numbers of torques,
   /// - if the controller reads the wrench on a touch (tool or foot) that the plant's scene does not
   ///   have, or a component of the wrench without a sensor,
+  /// - if two columns of the trace have the same name, such as two signals of the controller,
   /// - if an option is out of range or a disturbance is invalid.
   ///
   /// The constructor does not apply the disturbances of model and scene. To apply them, create the
