@@ -16,10 +16,10 @@ struct CheckUnits {
 
   double length;              ///< Power of ten nearest to robot_size() [m]
   double force;               ///< Weight of the robot, on Earth if the model has no gravity [N]
-  Eigen::VectorXd motion;     ///< Units of q, v and a (nv) [rad, m]
-  Eigen::VectorXd torque;     ///< Units of tau (nv) [N m, N]
-  Eigen::VectorXd row;        ///< Units of alpha (rows) [rad, m]
-  Eigen::VectorXd row_force;  ///< Units of lambda (rows) [N m, N]
+  Eigen::VectorXd motion;     ///< Size of one unit of q, v and a, per entry of v [rad or m]
+  Eigen::VectorXd torque;     ///< Size of one unit of tau, per entry of v [N m or N]
+  Eigen::VectorXd row;        ///< Size of one unit of alpha, per row of the contacts [rad or m]
+  Eigen::VectorXd row_force;  ///< Size of one unit of lambda, per row [N m or N]
 };
 
 }  // namespace burnish

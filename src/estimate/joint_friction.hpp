@@ -79,7 +79,7 @@ class JointFriction {
 
   bool enabled_;
   ModelErrorOptions options_;
-  double lead_;       ///< Time from a plan's first knot to foresee() [s].
+  double lead_;       ///< Time from a plan's first knot to the velocity for foresee() [s].
   double smoothing_;  ///< Time constant of the filter of planned velocities [s].
   std::vector<Joint> joints_;
   Eigen::VectorXd torque_;

@@ -164,7 +164,7 @@ void check_torques(const Model& model, CheckedRecord& checked) {
 /// Throws Error for a frozen reading: a joint that stops abruptly for a long time within a motion.
 void check_frozen(const Model& model, CheckedRecord& checked) {
   constexpr double max_standstill = 0.1;      // Longest run of equal samples in a motion [s]
-  constexpr Eigen::Index before = 10;         // Samples on each side of a run that give the speed
+  constexpr Eigen::Index before = 10;         // readings beside a frozen run, for its speed
   constexpr double min_speed_fraction = 0.1;  // Fraction of the fastest speed over 10 samples
   // Smallest motion beside the run of a frozen encoder [quanta]. At a turning point with the
   // acceleration a, a joint also stays within one quantum for a time T, with quantum = a T^2 / 8.

@@ -24,8 +24,9 @@ class Smoother {
   Eigen::Matrix<double, Eigen::Dynamic, 3> weights_;
 };
 
-/// Returns the weights of a mean over 2 half + 1 samples: a cosine to the fourth power. The mean
-/// passes frequencies well below 1 / window. Above 4 / window, it passes less than a thousandth.
+/// Returns the weights of a mean over 2 `half` + 1 samples, which have the shape of a cosine to the
+/// fourth power. With T as the duration of the samples, the mean passes frequencies well below
+/// 1 / T. Of frequencies above 4 / T, it passes less than a thousandth.
 Eigen::VectorXd bell(int half);
 
 }  // namespace burnish::identify_detail

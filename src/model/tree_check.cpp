@@ -145,9 +145,10 @@ struct ValueCheck {
 
 /// Returns the inertia that counts as zero for this body [kg m^2]: the inertia of a speck of dust,
 /// plus small fractions of the body's inertia and of the inertia of its mass at a small distance.
-/// All constants were chosen by hand.
+/// Constants, chosen by hand: `fraction` of the inertia, `smallest_size` of a body [m], and inertia
+/// of `dust` [kg m^2].
 double negligible_inertia(const InertiaSpec& inertia) {
-  constexpr double fraction = 1e-6, smallest_size = 0.01, dust = 1e-20;  // [1, m, kg m^2]
+  constexpr double fraction = 1e-6, smallest_size = 0.01, dust = 1e-20;
   return dust + fraction * (inertia.inertia_at_com.cwiseAbs().maxCoeff() +
                             1e-3 * std::abs(inertia.mass) * smallest_size * smallest_size);
 }

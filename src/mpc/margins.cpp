@@ -117,8 +117,8 @@ double LoopAnalysis::Impl::largest_delay(Case with, double furthest) const {
   return std::clamp((unstable - back) * loop.dt(), 0.0, furthest);
 }
 
-/// Returns the largest factor on the torque of entry `entry` of v with which the loop is stable.
-/// The factor is between 1 and `furthest`. It is 1 if the loop is unstable without a factor.
+/// Returns the largest gain error of one joint at which the loop is stable. The gain error is a
+/// factor on the torque at index `entry`, from 1 to `furthest`. It is 1 if no factor is stable.
 double LoopAnalysis::Impl::limit_of_gain(const Case& with, int entry, double furthest) const {
   if (is_stable(with, entry, furthest)) return furthest;
   if (!is_stable(with, entry, 1.0)) return 1.0;

@@ -39,7 +39,7 @@ std::string geom_of(const SurfaceSpec& surface, double half_side, const Eigen::I
       at.translation() = surface.point;
       at.linear() = Reference::surface_with_normal(surface.normal).rotation;
       if (!surface.frame.empty()) {               // MuJoCo's planes cannot move
-        constexpr double half_thickness = 0.002;  // of the box drawn instead, m
+        constexpr double half_thickness = 0.002;  // of the box drawn for a plane [m]
         at.translation() -= half_thickness * at.linear().col(2);
         return "type=\"box\"" + pose_attributes(place * at) + " size=\"" +
                numbers(half_side, half_side, half_thickness) + "\"";
