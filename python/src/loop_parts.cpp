@@ -19,12 +19,24 @@ std::string type_of(const py::object& object) {
   return py::cast<std::string>(py::type::of(object).attr("__name__"));
 }
 
+/// Returns true if the object or its class declares the attribute, without evaluating properties.
+bool declares(const py::object& object, const char* name) {
+  const py::object find = py::module_::import("inspect").attr("getattr_static");
+  return !find(object, name, py::none()).is_none();
+}
+
+/// Returns true if the object has the attribute. A property that raises an exception counts as
+/// present, so that reading it shows the exception.
+bool has(const py::object& object, const char* name) {
+  return declares(object, name) || py::hasattr(object, name);
+}
+
 /// Returns an attribute of an object. Throws Error if the object lacks the attribute.
 py::object attribute(const py::object& object, const char* kind, const char* name) {
   try {
     return object.attr(name);
   } catch (const py::error_already_set& error) {
-    if (!error.matches(PyExc_AttributeError)) throw;
+    if (!error.matches(PyExc_AttributeError) || declares(object, name)) throw;
     throw Error(std::string(kind) + ": " + type_of(object) + " has no '" + name +
                 "'; wanted an object with the attributes of burnish." + kind);
   }
@@ -48,13 +60,6 @@ Wrenches read_wrenches(const py::object& object, const char* kind, Eigen::Index 
                 std::to_string(values.cols()) + " numbers; wanted 6 x " + std::to_string(touches) +
                 ", one column per touch of the scene");
   return values;
-}
-
-/// Returns true if the object has the attribute. A property that raises AttributeError counts as
-/// present, so that reading it shows the error.
-bool has(const py::object& object, const char* name) {
-  const py::object find = py::module_::import("inspect").attr("getattr_static");
-  return py::hasattr(object, name) || !find(object, name, py::none()).is_none();
 }
 
 Eigen::VectorXd read_vector(const py::object& object, const char* kind, const char* name,
