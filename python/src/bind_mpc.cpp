@@ -159,8 +159,7 @@ void bind_controller(py::module_& m) {
             return units;
           },
           "Units of the values that the controller publishes, by name. A loop records each value "
-          "in "
-          "a column 'signal_<name>' of its trace.")
+          "in a column 'signal_<name>' of its trace.")
       .def_property_readonly(
           "signal_values",
           [](const BoundController& self) {

@@ -27,4 +27,11 @@ constexpr const char* unit_of_q(JointKind kind, int entry) {
   return entry < sliding_entries(kind) ? "m" : "-";
 }
 
+/// Returns the unit of a quantity at entry k of v: `sliding` for a sliding joint, `turning` for a
+/// turning joint.
+inline const char* unit_of_v(const Model& model, int k, const char* turning, const char* sliding) {
+  const Joint& joint = model.joints[static_cast<std::size_t>(model.joint_of_v[k])];
+  return k - joint.v_index < sliding_entries(joint.kind) ? sliding : turning;
+}
+
 }  // namespace burnish

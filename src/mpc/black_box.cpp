@@ -24,10 +24,8 @@ std::vector<TraceColumn> history_columns(const Model& model) {
     for (int i = 0; i < joint.nq; ++i)
       columns.push_back({"q_" + model.q_name(joint.q_index + i), unit_of_q(joint.kind, i)});
   const auto add = [&](const char* prefix, const char* turning, const char* sliding) {
-    for (const Joint& joint : model.joints)
-      for (int i = 0; i < joint.nv; ++i)
-        columns.push_back({prefix + model.v_name(joint.v_index + i),
-                           i < sliding_entries(joint.kind) ? sliding : turning});
+    for (int k = 0; k < model.nv; ++k)
+      columns.push_back({prefix + model.v_name(k), unit_of_v(model, k, turning, sliding)});
   };
   add("v_", "rad/s", "m/s");
   add("tau_measured_", "Nm", "N");

@@ -211,8 +211,9 @@ const Description& description_of(const SafetyLimits* /*of*/) {
                  {.least = 0, .open = true, .infinite = true})
           .more("The torque error is the difference between measured and commanded torque, as a "
                 "mean over 30 ms. Beyond the limit, the motor counts as failed. While a motor "
-                "delivers less than a fifth of its command, the limit is multiplied by 0.6, and "
-                "by 0.4 once exceeded for 0.1 s. A finite limit requires measured torques");
+                "delivers less than a fifth of its command, the limit is multiplied by 0.6. A "
+                "difference of more than 0.4 times the limit counts then after 0.1 s. A finite "
+                "limit requires measured torques");
   return all;
 }
 

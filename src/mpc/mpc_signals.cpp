@@ -1,21 +1,10 @@
 // Values that an MpcController publishes in traces.
 #include <cmath>
 
-#include "base/to_size.hpp"
 #include "model/joint_entries.hpp"
 #include "mpc/mpc_impl.hpp"
 
 namespace burnish {
-namespace {
-
-/// Returns the unit of a torque error: N for a sliding joint, Nm for a turning joint.
-const char* unit_of_torque(const Model& model, int k) {
-  const Joint& joint = model.joints[to_size(model.joint_of_v[to_size(k)])];
-  return k - joint.v_index < sliding_entries(joint.kind) ? "N" : "Nm";
-}
-
-}  // namespace
-
 /// Calls see(column, value) for each signal of the controller itself. column() returns name and
 /// unit.
 template <class See>
@@ -25,7 +14,7 @@ void MpcController::Impl::each_signal(const See& see) const {
     for (const int k : problem.layout().actuated)
       see(
           [&] {
-            return TraceColumn{"torque_error_" + model.v_name(k), unit_of_torque(model, k)};
+            return TraceColumn{"torque_error_" + model.v_name(k), unit_of_v(model, k, "Nm", "N")};
           },
           error.torque_error()[k]);
   if (spec.model_error.kind == ModelErrorKind::Force)

@@ -29,14 +29,6 @@ std::vector<TraceColumn> rotation(const std::string& what, const std::string& fr
       {what + "_rx_" + from, "rad"}, {what + "_ry_" + from, "rad"}, {what + "_rz_" + from, "rad"}};
 }
 
-/// Returns the unit of a column for entry k of v: `sliding` for a sliding joint, `turning` for a
-/// turning joint.
-std::string unit_of_v(const Model& model, int k, const char* turning, const char* sliding) {
-  const Joint& joint = model.joints[to_size(model.joint_of_v[k])];
-  const int entry = k - joint.v_index;
-  return entry < sliding_entries(joint.kind) ? sliding : turning;
-}
-
 std::string unit_of_q(const Model& model, int k) {
   for (const Joint& joint : model.joints) {
     const int entry = k - joint.q_index;

@@ -79,10 +79,9 @@ class MpcController final : public Controller {
   std::optional<std::vector<TouchSensor>> touches() const override;
   /// Returns names and units of estimates, followed by the signals of the task. The estimates are
   /// those that change plans and have no entry in Command:
-  /// - `torque_error_<joint>` for each actuated joint, with ModelErrorKind::Torque
-  /// (torque_error());
-  /// - `force_error`, with ModelErrorKind::Force (force_error());
-  /// - `friction_<support>` for each support with a friction cone (support_friction()).
+  /// - torque_error(), as `torque_error_<joint>` of actuated joints, with ModelErrorKind::Torque;
+  /// - force_error(), as `force_error`, with ModelErrorKind::Force;
+  /// - support_friction(), as `friction_<support>`, for supports with a friction cone.
   std::vector<TraceColumn> signals() const override;
   void write_signals(std::span<double> values) const noexcept override;
   void reset() noexcept override;

@@ -47,8 +47,8 @@ struct SafetyLimits {
   /// Largest torque error of a motor, as a fraction of its effort limit, > 0 or infinite
   /// @more The torque error is the difference between measured and commanded torque, as a mean over
   /// 30 ms. Beyond the limit, the motor counts as failed. While a motor delivers less than a fifth
-  /// of its command, the limit is multiplied by 0.6, and by 0.4 once exceeded for 0.1 s. A finite
-  /// limit requires measured torques
+  /// of its command, the limit is multiplied by 0.6. A difference of more than 0.4 times the limit
+  /// counts then after 0.1 s. A finite limit requires measured torques
   double torque_gap = std::numeric_limits<double>::infinity();
 };
 
