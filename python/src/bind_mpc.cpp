@@ -133,6 +133,23 @@ list of str)";
 
 using Vector = Eigen::Ref<const Eigen::VectorXd>;
 
+/// Returns the unit of each value that a controller publishes, by name.
+std::map<std::string, std::string> signal_units(const BoundController& bound) {
+  std::map<std::string, std::string> units;
+  for (const TraceColumn& signal : bound.controller->signals()) units[signal.name] = signal.unit;
+  return units;
+}
+
+/// Returns the values that a controller published at its last tick, by name.
+std::map<std::string, double> signal_values(const BoundController& bound) {
+  const std::vector<TraceColumn> signals = bound.controller->signals();
+  std::vector<double> values(signals.size());
+  bound.controller->write_signals(values);
+  std::map<std::string, double> by_name;
+  for (std::size_t i = 0; i < signals.size(); ++i) by_name[signals[i].name] = values[i];
+  return by_name;
+}
+
 void bind_controller(py::module_& m) {
   py::class_<BoundController>(m, "CompiledController",
                               "Controller of the library; see burnish.Controller.")
@@ -151,26 +168,11 @@ void bind_controller(py::module_& m) {
           "Frames of the columns of Measurement.wrenches, as the controller reads them; None: all "
           "touches of the plant's scene, in their order.")
       .def_property_readonly(
-          "signals",
-          [](const BoundController& self) {
-            std::map<std::string, std::string> units;
-            for (const TraceColumn& signal : self.controller->signals())
-              units[signal.name] = signal.unit;
-            return units;
-          },
+          "signals", &signal_units,
           "Units of the values that the controller publishes, by name. A loop records each value "
           "in a column 'signal_<name>' of its trace.")
-      .def_property_readonly(
-          "signal_values",
-          [](const BoundController& self) {
-            const std::vector<TraceColumn> signals = self.controller->signals();
-            std::vector<double> values(signals.size());
-            self.controller->write_signals(values);
-            std::map<std::string, double> by_name;
-            for (std::size_t i = 0; i < signals.size(); ++i) by_name[signals[i].name] = values[i];
-            return by_name;
-          },
-          "Values of `signals` at the last tick, by name.")
+      .def_property_readonly("signal_values", &signal_values,
+                             "Values of `signals` at the last tick, by name.")
       .def(
           "reset",
           [](BoundController& self) {

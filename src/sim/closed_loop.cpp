@@ -210,6 +210,7 @@ struct ClosedLoop::Impl {
     bool is_of_step = false;  ///< True for values of a whole step, false for values at its start.
   };
   std::vector<TracedTool> tools_of(const SceneSpec& scene) const;
+  Signal published_signal(bool is_of_step) const;
   std::vector<Signal> signals_of(const Model& model) const;
   template <class Add>
   void add_tool_signals(std::size_t tool, bool is_of_step, const Add& add) const;
@@ -438,6 +439,18 @@ void ClosedLoop::Impl::add_tool_signals(std::size_t tool, bool is_of_step, const
       [=](L l) { return vector_of(l.tools[tool].surface_world.linear()); });
 }
 
+/// Returns the values that the controller publishes, as one signal with a column each.
+ClosedLoop::Impl::Signal ClosedLoop::Impl::published_signal(bool is_of_step) const {
+  std::vector<TraceColumn> columns = controller->signals();
+  for (TraceColumn& column : columns) column.name.insert(0, "signal_");
+  const auto put = [count = columns.size()](const Impl& loop, Row& row) {
+    const std::span<double> values = row.next(count);
+    std::fill(values.begin(), values.end(), std::numeric_limits<double>::quiet_NaN());
+    loop.controller->write_signals(values);
+  };
+  return {std::move(columns), put, is_of_step};
+}
+
 /// Returns the signals of the trace, in the order of its columns: first all values at the start of
 /// a step, then all values of the whole step.
 std::vector<ClosedLoop::Impl::Signal> ClosedLoop::Impl::signals_of(const Model& model) const {
@@ -490,17 +503,7 @@ std::vector<ClosedLoop::Impl::Signal> ClosedLoop::Impl::signals_of(const Model& 
     if (all[i].is_support)
       add(wrench_on(all[i].frame),
           [i](L l) { return l.plant->wrenches().col(static_cast<Eigen::Index>(i)); });
-  std::vector<TraceColumn> published = controller->signals();
-  for (TraceColumn& column : published) column.name.insert(0, "signal_");
-  const std::size_t count = published.size();
-  result.push_back({std::move(published),
-                    [count](L l, Row& row) {
-                      const std::span<double> values = row.next(count);
-                      std::fill(values.begin(), values.end(),
-                                std::numeric_limits<double>::quiet_NaN());
-                      l.controller->write_signals(values);
-                    },
-                    is_of_step});
+  result.push_back(published_signal(is_of_step));
   return result;
 }
 
