@@ -75,7 +75,7 @@ TEST_F(LastEvaluation, ForwardAtTheLoadedState_EqualsAFreshEvaluation) {
   ASSERT_EQ(kept.update(model_.q_neutral, Eigen::VectorXd::Zero(model_.nv)), Status::Ok);
   ASSERT_EQ(kept.update(body), Status::Ok);
   expect_same("at the state of a body");
-  EXPECT_EQ(kept.update(RigidBody(named_robot("four_bar"))), Status::WrongSize);
+  EXPECT_EQ(kept.update(RigidBody(named_robot("every_joint"))), Status::WrongSize);
 }
 
 TEST_F(LastEvaluation, WrongSize_ChangesNoResult) {
@@ -83,7 +83,7 @@ TEST_F(LastEvaluation, WrongSize_ChangesNoResult) {
   const Vector6 before = dynamics_.wrench(0, Reference::local());
   const Eigen::VectorXd three = Eigen::VectorXd::Zero(3);
   EXPECT_EQ(dynamics_.update(three, s_.v), Status::WrongSize);
-  EXPECT_EQ(dynamics_.update(RigidBody(named_robot("four_bar"))), Status::WrongSize);
+  EXPECT_EQ(dynamics_.update(RigidBody(named_robot("every_joint"))), Status::WrongSize);
   EXPECT_EQ(dynamics_.forward(s_.q, s_.v, three), Status::WrongSize);
   EXPECT_EQ(dynamics_.inverse(s_.q, three, s_.tau, ten_), Status::WrongSize);
   EXPECT_EQ(dynamics_.wrench(0, Reference::local()), before);
