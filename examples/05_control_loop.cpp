@@ -35,7 +35,7 @@ int main() {
   speed[2] = -0.02;  // m/s, towards the board
   along_normal[2] = 1.0;
 
-  MpcSpec mpc{.problem = {.model = robot.model}, .normal_base = n};
+  MpcSpec mpc{.problem = {.model = robot.model}, .tools = {{.frame = "tool", .normal_base = n}}};
   ContactSpec board{.name = "board", .tool = "tool", .directions = Directions::z()};
   board.reference = Reference::surface(axes);
   mpc.problem.contacts = {board.with_gains(0.0, 40.0)};

@@ -58,7 +58,7 @@ mpc = burnish.MpcSpec(
         SchedulePhase("approach", "approach", duration=0.5, until="contact"),
         SchedulePhase("press", "press"),
     ],
-    normal_base=n,
+    tools=[burnish.ToolSpec("tool", normal_base=n)],
     task=burnish.PressingTask([Touch.DUE, Touch.WANTED],
                               lambda t: burnish.TaskTarget(place(t), push(t))),
     tick_period=1e-3,

@@ -25,7 +25,6 @@ int main() {
   };
   const Signal drawn = Signal::over_time(3, [=](double t, auto p) { p = circle(t); });
   MpcSpec mpc{.problem = {.model = robot.model},
-              .tool = "",  // the hand touches nothing
               .supports = {"left_sole_link", "right_sole_link"},
               .touches = {{"left_sole_link"}, {"right_sole_link"}}};  // all have force sensors
   Stage stand{.name = "stand", .contacts = mpc.supports};

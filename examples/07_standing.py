@@ -56,7 +56,7 @@ problem = burnish.ProblemSpec(
 held = burnish.Problem(problem).quasi_static(0, start).control
 stand.costs.append(CostTerm(residual.Control(held), weight=1e-4, name="torque"))
 mpc = burnish.MpcSpec(
-    problem, supports=feet, touches=[burnish.TouchSensor(foot) for foot in feet], tool="",
+    problem, supports=feet, touches=[burnish.TouchSensor(foot) for foot in feet],
     schedule=[burnish.SchedulePhase("stand", "stand")],
     tick_period=1e-3, update_period=5e-3, solver_delay=5e-3,  # plans take 5 ms
     model_error=burnish.ModelErrorOptions(bandwidth=60.0, decay_time=0.2))

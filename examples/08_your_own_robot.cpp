@@ -57,7 +57,6 @@ int main(int argc, char** argv) {
   mpc.schedule = {{.name = "bow", .stage = "bow"}};
   mpc.settle = 0.5;  // s that it is held at first, while the estimate of its base settles
   mpc.fallback = task.standing.fallback;
-  mpc.tool.clear();  // the robot has no tool
   mpc.tick_period = 1e-3;
   mpc.update_period = mpc.solver_delay = 5e-3;  // plans take 5 ms
   mpc.model_error = {.bandwidth = 60.0, .decay_time = 0.2};

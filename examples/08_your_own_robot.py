@@ -55,7 +55,7 @@ problem = burnish.ProblemSpec(
     model, contacts=contacts, stages=[stage], initial_state=np.concatenate([at.q_start, np.zeros(nv)]),
     horizon=[burnish.HorizonSegment("bow", knots=20, step=0.01, duration=0.6)])
 controller = burnish.MpcController(burnish.MpcSpec(
-    problem, supports=task.standing.feet, tool="",
+    problem, supports=task.standing.feet,
     touches=[burnish.TouchSensor(foot) for foot in task.standing.feet],  # with sensors of force and moment
     schedule=[burnish.SchedulePhase("bow", "bow")],
     settle=0.5, fallback=task.standing.fallback,  # held at first, while the estimate of its base settles

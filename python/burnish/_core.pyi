@@ -778,6 +778,8 @@ class CompiledController(Controller):
     @property
     def touches(self) -> Optional[List[str]]: ...
     @property
+    def tools(self) -> List[str]: ...
+    @property
     def signals(self) -> Dict[str, str]: ...
     @property
     def signal_values(self) -> Dict[str, float]: ...
@@ -796,7 +798,7 @@ class MpcController(CompiledController):
     @property
     def torque_error(self) -> Array: ...  # (nv,), Nm (N)
     @property
-    def force_error(self) -> float: ...  # N
+    def force_error(self) -> Array: ...  # (tools,), N
     @property
     def support_friction(self) -> Array: ...  # one per support
     @property

@@ -7,6 +7,7 @@ import copy
 import dataclasses
 import functools
 import inspect
+import re
 import sys
 from typing import TYPE_CHECKING, Any, ClassVar, Dict, List, Tuple, TypeVar
 
@@ -58,9 +59,22 @@ def _meanings(module: str) -> Dict[str, Dict[str, str]]:
     return classes
 
 
+def _inside(of: type, name: str) -> str:
+    """Place of an entry within the entries of a class, such as `tools[...].normal_base`; empty if there is none."""
+    package = sys.modules[__package__]
+    for field in dataclasses.fields(of):
+        for word in re.findall(r"\w+", str(field.type)):
+            inner = getattr(package, word, None) if word[0].isupper() else None
+            if isinstance(inner, type) and dataclasses.is_dataclass(inner) and name in _names(inner):
+                return f"{field.name}[...].{name}" if "List[" in str(field.type) else f"{field.name}.{name}"
+    return ""
+
+
 def _unknown(of: type, name: str) -> str:
     known = _names(of)
-    hint = _core.did_you_mean(name, list(known)) or f"; it has {', '.join(known)}"
+    nearest = _core.did_you_mean(name, list(known))
+    place = "" if "is now called" in nearest else _inside(of, name)
+    hint = f"; wanted {place}" if place else nearest or f"; it has {', '.join(known)}"
     return f"{of.__name__} has no entry '{name}'{hint}"
 
 

@@ -23,8 +23,8 @@ if TYPE_CHECKING:  # .pressing imports this module
 __all__ = [
     "Command", "Controller", "Fallback", "FaultKind", "FaultReport", "FeedbackPlan",
     "FrictionEstimateOptions", "GainRange", "LinearFeedback", "LoopMargins", "Measurement", "ModelErrorKind", "ModelErrorOptions", "MpcController",
-    "MpcSpec", "PlanTiming", "SafetyLimits", "Schedule", "SchedulePhase", "SlipOptions", "TorqueErrorObserver",
-    "TouchSensor", "WrenchSensor",
+    "MpcSpec", "PlanTiming", "SafetyLimits", "Schedule", "SchedulePhase", "SlipOptions", "ToolCommand", "ToolSpec",
+    "TorqueErrorObserver", "TouchSensor", "WrenchSensor",
 ]
 
 
@@ -45,9 +45,9 @@ class Controller(abc.ABC):
     The controllers of the library are of this class. Your own controller needs the attribute `nv` and
     the two methods below. An exception of a method ends the run, and the methods of the loop raise it.
 
-    The attributes `touches`, `signals` and `signal_values` are optional; each may be a property. A loop reads
-    `touches` and `signals` when it is made, and `signal_values` after each tick. A controller around another one
-    returns the `touches` of the other one, and adds its own signals to those of the other one."""
+    The attributes `touches`, `tools`, `signals` and `signal_values` are optional; each may be a property. A loop
+    reads `signal_values` after each tick, and the others when it is made. A controller around another one returns
+    the `touches` and `tools` of the other one, and adds its own signals to those of the other one."""
 
     if TYPE_CHECKING:
 
@@ -59,6 +59,11 @@ class Controller(abc.ABC):
         def touches(self) -> Optional[List[str]]:
             """Frames of the columns of Measurement.wrenches, which the controller reads. None, or without the
             attribute: all touches of the plant's scene, in their order."""
+
+        @property
+        def tools(self) -> List[str]:
+            """Frames of the tools of Command.tools, in the same order. An empty list, or without the attribute: one
+            entry, which belongs to the first tool of the plant's scene."""
 
         @property
         def signals(self) -> Dict[str, str]:

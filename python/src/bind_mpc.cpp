@@ -168,6 +168,10 @@ void bind_controller(py::module_& m) {
           "Frames of the columns of Measurement.wrenches, as the controller reads them; None: all "
           "touches of the plant's scene, in their order.")
       .def_property_readonly(
+          "tools", [](const BoundController& self) { return self.controller->tools(); },
+          "Frames of the tools of Command.tools; an empty list stands for one entry, which belongs "
+          "to the first tool of the plant's scene.")
+      .def_property_readonly(
           "signals", &signal_units,
           "Units of the values that the controller publishes, by name. A loop records each value "
           "in a column 'signal_<name>' of its trace.")
@@ -423,7 +427,7 @@ void bind_mpc_readings(MpcClass& c) {
       .def_property_readonly("force_error",
                              reading("MpcController.force_error",
                                      [](const MpcController& mpc) { return mpc.force_error(); }),
-                             "Estimated force error, with ModelErrorKind.FORCE [N].")
+                             "Estimated force error at each tool, with ModelErrorKind.FORCE [N].")
       .def_property_readonly(
           "support_friction",
           reading("MpcController.support_friction",

@@ -226,6 +226,8 @@ class ControllerPart::Adaptor final : public Controller {
         signals_.push_back({name, unit});
     if (!signals_.empty()) (void)attribute(controller, "Controller", "signal_values");
     values_.resize(signals_.size());
+    if (has(controller, "tools"))
+      tools_ = read<std::vector<std::string>>(controller, "Controller", "tools");
     if (!has(controller, "touches")) return;
     using Frames = std::optional<std::vector<std::string>>;
     if (const Frames frames = read<Frames>(controller, "Controller", "touches"))
@@ -234,6 +236,7 @@ class ControllerPart::Adaptor final : public Controller {
 
   int nv() const override { return nv_; }
   std::optional<std::vector<TouchSensor>> touches() const override { return touches_; }
+  std::vector<std::string> tools() const override { return tools_; }
   std::vector<TraceColumn> signals() const override { return signals_; }
   void write_signals(std::span<double> values) const noexcept override {
     std::copy(values_.begin(), values_.end(), values.begin());
@@ -302,6 +305,7 @@ class ControllerPart::Adaptor final : public Controller {
   std::vector<TraceColumn> signals_;
   std::vector<double> values_;  ///< Values of signals_ at the last tick.
   std::optional<std::vector<TouchSensor>> touches_;
+  std::vector<std::string> tools_;
   Command command_;
 };
 

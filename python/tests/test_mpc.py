@@ -55,7 +55,7 @@ class Press:
             schedule=[SchedulePhase("approach", "approach", 0.15, until="contact"),
                       SchedulePhase("press", "press")],
             task=burnish.PressingTask([Touch.DUE, Touch.WANTED], self.target),
-            normal_base=TILTED,
+            tools=[burnish.ToolSpec("tool", normal_base=TILTED)],
             tick_period=1e-3,
             update_period=5e-3,
             model_error=burnish.ModelErrorOptions(bandwidth=100.0),
@@ -101,7 +101,7 @@ def test_press_reaches_the_force_and_repeats_the_same_bits(press):
     assert abs(force @ press.n - 10.0) < 0.2
     assert abs(np.linalg.norm(loop.plant.wrenches[:3, 0]) - np.linalg.norm(force)) < 1e-9
     assert loop.trace["phase"][0] == 0
-    assert loop.trace["phase"][-1] == 1 and loop.command.target_force == 10.0
+    assert loop.trace["phase"][-1] == 1 and loop.command.tools[0].target_force == 10.0
     first = rows(loop)
     loop.reset(press.q)
     loop.run(0.6)
@@ -116,7 +116,7 @@ def test_controller_exposes_plan_feedback_and_estimates(press):
     loop.run(0.5)
     controller = loop.controller
     assert isinstance(controller, burnish.Controller) and controller.nv == 7
-    assert controller.touches == ["tool"] and loop.measurement.wrenches.shape == (6, 1)
+    assert controller.touches == controller.tools == ["tool"] and loop.measurement.wrenches.shape == (6, 1)
     feedback = controller.feedback()
     assert feedback.feedforward.shape == (7,) and feedback.gain.shape == (7, 14)
     assert feedback.state.shape == (14,) and np.any(feedback.gain != 0.0)
@@ -126,7 +126,7 @@ def test_controller_exposes_plan_feedback_and_estimates(press):
     assert np.allclose(policy, loop.command.tau, atol=1e-9)
     plan = controller.plan()
     assert plan.shape == (21, 14) and np.allclose(plan[0], x, atol=0.05)
-    assert 0.1 < np.abs(controller.torque_error).max() < 5.0 and controller.force_error == 0.0
+    assert 0.1 < np.abs(controller.torque_error).max() < 5.0 and list(controller.force_error) == [0.0]
     costs = controller.plan_costs(0)
     assert list(costs) == ["state", "control", "frame position", "contact force"]
     assert controller.problem.term_names(0)[-1] == "frame velocity", "the specified horizon starts with the approach"
@@ -274,10 +274,11 @@ def test_invalid_spec_raises_with_the_reason(press):
         ({"task": press.spec.task.replace(touch=[])}, "0 entries; wanted 2"),
         ({"task": None}, "waits for 'contact', which is not an event of its task"),
         ({"update_period": 7.5e-4}, "multiple of tick_period"),
-        ({"tool": "tol"}, "did you mean 'tool'"),
+        ({"tools": [burnish.ToolSpec("tol")]}, "did you mean 'tool'"),
+        ({"tools": []}, "tools has 0 entries; wanted one"),
         ({"schedule": [], "task": None}, "no phases"),
         ({"solver_delay": 1.0}, "solver_delay is 1 s"),
-        ({"normal_base": [0, 0, 0]}, "normal"),
+        ({"tools": [burnish.ToolSpec(normal_base=[0, 0, 0])]}, "normal"),
     ):
         with pytest.raises(burnish.Error, match=sentence):
             burnish.MpcController(press.spec.replace(**changes))

@@ -49,8 +49,7 @@ class Posture(burnish.Controller):
         return burnish.Command(
             tau=self.kp * (self.q - measurement.q) - self.kd * measurement.v,
             phase=burnish.Phase.TRACK,
-            target_force=1.5,
-            p_target_world=[1.0, 2.0, 3.0],
+            tools=[burnish.ToolCommand(target_force=1.5, p_target_world=[1.0, 2.0, 3.0])],
         )
 
 
@@ -331,7 +330,7 @@ def test_python_controller_keeps_a_posture(robot, q, scene):
     assert controller.ticks == 500
     assert np.abs(loop.plant.q - q).max() < 0.6
     assert np.abs(loop.plant.v).max() < 0.05
-    assert loop.command.target_force == 1.5 and loop.command.phase == burnish.Phase.TRACK
+    assert loop.command.tools[0].target_force == 1.5 and loop.command.phase == burnish.Phase.TRACK
     assert np.all(loop.trace["target_y_world"] == 2.0)
     assert np.isclose(loop.measurement.time, 0.499)
 

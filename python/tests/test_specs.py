@@ -237,6 +237,17 @@ def test_unknown_keyword_raises_with_the_nearest() -> None:
         burnish.ContactSpec().replace(toool="hand")
 
 
+def test_keyword_of_an_inner_entry_raises_with_its_place() -> None:
+    with pytest.raises(TypeError, match=r"MpcSpec has no entry 'normal_base'; wanted tools\[...\].normal_base"):
+        burnish.MpcSpec(normal_base=[0, 0, 1])  # type: ignore[call-arg]
+    with pytest.raises(AttributeError, match=r"Command has no entry 'target_force'; wanted tools\[...\].target_force"):
+        burnish.Command().target_force  # type: ignore[attr-defined]
+    with pytest.raises(TypeError, match="MpcSpec has no entry 'bandwidth'; wanted model_error.bandwidth"):
+        burnish.MpcSpec(bandwidth=100.0)  # type: ignore[call-arg]
+    with pytest.raises(TypeError, match="did you mean 'tools'"):
+        burnish.MpcSpec(tool="hand")  # type: ignore[call-arg]
+
+
 def test_help_contains_the_meaning_of_entries() -> None:
     assert "Coefficient of friction" in (burnish.SlidingFriction.__doc__ or "")
     assert "coefficient" in str(inspect.signature(burnish.SlidingFriction))

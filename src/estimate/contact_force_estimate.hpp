@@ -13,38 +13,44 @@ struct StageContacts {
   std::vector<RobotState::ActiveContacts> supports;  ///< Active supports and loops of each stage.
   /// Rotation over time of each contact's reference frame; an empty Signal if it is constant.
   std::vector<Signal> rotations;
-  std::vector<int> following;      ///< Contacts whose surface set_surface() replaces.
-  std::vector<int> with_friction;  ///< Contacts whose friction set_friction() replaces.
+  std::vector<int> tools;      ///< Per contact: tool at whose frame the contact is; -1: none.
+  std::vector<int> surfaces;   ///< Per contact: tool whose surface the contact has; -1: none.
+  std::vector<int> frictions;  ///< Per contact: tool whose friction the contact has; -1: none.
 };
 
 class ContactForceEstimate {
  public:
-  explicit ContactForceEstimate(StageContacts contacts);
-  /// Stores the surface that place() sets for the contacts in `following`.
-  void set_surface(const Quadric& surface) noexcept { surface_ = surface; }
-  /// Stores the coefficient of friction that place() sets for the contacts in `with_friction`.
-  void set_friction(double coefficient) noexcept { friction_ = coefficient; }
-  /// Returns true if the stage has a contact other than supports and loops.
-  bool has_contact(int stage) const noexcept;
-  /// Returns the active contacts of a stage; if `with_all` is false, only supports and loops.
-  const RobotState::ActiveContacts& active(int stage, bool with_all) const noexcept {
-    return (with_all ? contacts_.all : contacts_.supports)[to_size(stage)];
+  ContactForceEstimate(StageContacts contacts, std::size_t tools);
+  /// Stores the surface under a tool, which place() sets for contacts in StageContacts::surfaces.
+  void set_surface(std::size_t tool, const Quadric& surface) noexcept { surfaces_[tool] = surface; }
+  /// Stores the coefficient of friction at a tool, which place() sets for contacts in
+  /// StageContacts::frictions.
+  void set_friction(std::size_t tool, double coefficient) noexcept {
+    frictions_[tool] = coefficient;
   }
+  /// Returns true if the stage has a contact of the tool that is neither support nor loop.
+  bool has_contact(int stage, std::size_t tool) const noexcept;
+  /// Returns the active contacts of a stage, without those of tools that do not touch. `touches`:
+  /// 1 for each tool that touches its surface, 0 for other tools.
+  const RobotState::ActiveContacts& active(int stage, const std::vector<char>& touches) noexcept;
   /// Sets reference rotations, surface and friction of the contacts in the dynamics of `state`.
   /// `time`: time of the schedule [s]. Returns false if a rotation cannot be evaluated.
   bool place(RobotState& state, double time) noexcept;
-  /// Sets `out` to the sum of the contact forces on the robot in a stage, in world axes [N]. Forces
-  /// of supports and loops are not included. `tau`: torques (nv) [Nm or N]. `time`: time of the
-  /// schedule at which references are evaluated [s]. Returns false and a zero force if the stage
-  /// has only supports and loops, or if the dynamics have no solution.
-  bool force_at(RobotState& state, int stage, double time, const Eigen::VectorXd& tau,
-                Eigen::Vector3d& out) noexcept;
+  /// Sets `out` to the sum of the contact forces on each tool in a stage, in world axes, 3 x tools
+  /// [N]. Forces of supports and loops are not included. `tau`: torques (nv) [Nm or N]. `time`:
+  /// time of the schedule at which references are evaluated [s]. Returns false and zero forces if
+  /// no tool has a contact in the stage, or if the dynamics have no solution.
+  bool forces_at(RobotState& state, int stage, double time, const Eigen::VectorXd& tau,
+                 Eigen::Matrix3Xd& out) noexcept;
 
  private:
+  bool is_at_tool(int stage, std::size_t contact) const noexcept;
+
   StageContacts contacts_;
+  RobotState::ActiveContacts active_;
   Eigen::VectorXd xyzw_;
-  std::optional<Quadric> surface_;
-  std::optional<double> friction_;
+  std::vector<std::optional<Quadric>> surfaces_;  ///< Surface under each tool.
+  std::vector<std::optional<double>> frictions_;  ///< Coefficient of friction at each tool.
 };
 
 }  // namespace burnish

@@ -176,13 +176,15 @@ void ErrorObserver::delay(const RigidBody& body, const ConstVectorRef& tau, doub
 }
 
 Status ErrorObserver::update(RobotState& state, const ConstVectorRef& tau,
-                             const Eigen::Vector3d& force_world, double dt,
+                             const Eigen::Matrix3Xd& forces_world, double dt,
                              const Wrenches& supports) noexcept {
   const bool is_measured = supports.cols() > 0;
   if (tau.size() != total_.size()) return Status::WrongSize;
+  const std::vector<ToolMotion>& tools = state.tools();
+  if (forces_world.cols() != static_cast<Eigen::Index>(tools.size())) return Status::WrongSize;
   if (is_measured && supports.cols() != static_cast<Eigen::Index>(sensors_.size()))
     return Status::WrongSize;
-  if (!tau.allFinite() || !force_world.allFinite() || !std::isfinite(dt) || !supports.allFinite())
+  if (!tau.allFinite() || !forces_world.allFinite() || !std::isfinite(dt) || !supports.allFinite())
     return Status::NotFinite;
   const RigidBody& body = state.body();
   if (!started_) {
@@ -194,7 +196,9 @@ Status ErrorObserver::update(RobotState& state, const ConstVectorRef& tau,
   if (!(dt > 0.0)) return Status::Ok;
   delay(body, tau, dt);
   total_ += error_;
-  total_.noalias() += state.tool().jacobian().transpose() * force_world;
+  for (std::size_t i = 0; i < tools.size(); ++i)
+    total_.noalias() +=
+        tools[i].jacobian().transpose() * forces_world.col(static_cast<Eigen::Index>(i));
   for (Eigen::Index i = 0; i < supports.cols(); ++i) {
     body.frame_jacobian(sensors_[to_size(i)], local_, jacobian_);
     total_.noalias() += jacobian_.transpose() * supports.col(i);

@@ -46,8 +46,9 @@ class ErrorObserver {
                 const std::vector<ContactSpec>& supports, const std::vector<std::string>& measured);
 
   void reset() noexcept;
-  /// Updates the estimate at `state`, as TorqueErrorObserver::update() does.
-  Status update(RobotState& state, const ConstVectorRef& tau, const Eigen::Vector3d& force_world,
+  /// Updates the estimate at `state`, as TorqueErrorObserver::update() does. `forces_world`: force
+  /// on each tool of `state`, in world axes, 3 x tools [N].
+  Status update(RobotState& state, const ConstVectorRef& tau, const Eigen::Matrix3Xd& forces_world,
                 double dt, const Wrenches& supports) noexcept;
   const Eigen::VectorXd& torque_error() const { return error_; }
   double bandwidth() const { return bandwidth_; }

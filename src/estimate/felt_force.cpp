@@ -39,21 +39,23 @@ void FeltForce::reset() noexcept {
 
 void FeltForce::update(RobotState& state, const Eigen::VectorXd& acted, double dt,
                        bool free) noexcept {
-  if (!is_usable(observer_.update(state, acted, Eigen::Vector3d::Zero(), dt, {}))) return;
+  if (!is_usable(observer_.update(state, acted, no_force_, dt, {}))) return;
   const Eigen::VectorXd& sum = observer_.torque_error();
   if (free && (learned_for_ < first_look || force_.norm() < touch_)) {
     learned_for_ += dt;
     air_ += std::min(1.0, dt / std::clamp(learned_for_, dt + 1e-9, memory)) * (sum - air_);
   }
   rest_ = sum - air_;
-  const auto J = state.tool().jacobian();
+  const auto J = state.tools().front().jacobian();
   // With regularization, the force is zero in directions in which no joint moves the tool.
   Eigen::Matrix3d normal = J * J.transpose();
   normal.diagonal().array() += 1e-6;  // regularization [m^2]
-  force_ = learned_for_ < first_look ? Eigen::Vector3d::Zero()
-                                     : Eigen::Vector3d(normal.inverse() * (J * rest_));
+  if (learned_for_ < first_look)
+    force_.setZero();
+  else
+    force_.col(0) = Eigen::Vector3d(normal.inverse() * (J * rest_));
   model_error_ = sum;
-  model_error_.noalias() -= J.transpose() * force_;
+  model_error_.noalias() -= J.transpose() * force_.col(0);
 }
 
 }  // namespace burnish

@@ -10,7 +10,8 @@ namespace burnish {
 /// stored. During contact, f minimizes |J^T f - (s - mean)|. model_error() is s - J^T f.
 class FeltForce {
  public:
-  /// `supports`: contacts of `state` that always hold the robot. `touch`: force above which the
+  /// `state`: a state with one tool. `supports`: contacts of `state` that always hold the robot.
+  /// `touch`: force above which the
   /// mean of s is not updated, although the stage has no contact [N].
   FeltForce(const Model& model, const ModelErrorOptions& options, const RobotState& state,
             const std::vector<ContactSpec>& supports, double touch);
@@ -21,7 +22,8 @@ class FeltForce {
   /// `free`: true if the tool has no contact in the stage.
   void update(RobotState& state, const Eigen::VectorXd& acted, double dt, bool free) noexcept;
 
-  const Eigen::Vector3d& force_world() const { return force_; }  ///< Force at the tool [N].
+  /// Returns the force at the tool, in world axes, 3 x 1 [N].
+  const Eigen::Matrix3Xd& forces_world() const { return force_; }
   /// Model error d, nv [Nm or N].
   const Eigen::VectorXd& model_error() const { return model_error_; }
   double bandwidth() const { return observer_.bandwidth(); }  ///< Observer bandwidth [rad/s].
@@ -30,7 +32,8 @@ class FeltForce {
   ErrorObserver observer_;
   double touch_;  ///< Force above which the mean of s is not updated [N].
   Eigen::VectorXd air_, rest_, model_error_;
-  Eigen::Vector3d force_ = Eigen::Vector3d::Zero();
+  Eigen::Matrix3Xd force_ = Eigen::Matrix3Xd::Zero(3, 1);
+  const Eigen::Matrix3Xd no_force_ = force_;
   double learned_for_ = 0.0;  ///< Averaging time of the mean of s so far [s].
 };
 

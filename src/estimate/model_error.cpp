@@ -7,10 +7,13 @@ namespace burnish {
 
 struct TorqueErrorObserver::Impl {
   Impl(RobotState robot, ErrorObserver errors)
-      : state(std::move(robot)), observer(std::move(errors)) {}
+      : state(std::move(robot)),
+        observer(std::move(errors)),
+        forces_world(3, static_cast<Eigen::Index>(state.tools().size())) {}
 
   RobotState state;
   ErrorObserver observer;
+  Eigen::Matrix3Xd forces_world;  ///< Force on the tool, one column; no column without a tool.
 };
 
 TorqueErrorObserver::TorqueErrorObserver(const Model& model, const std::string& tool,
@@ -18,7 +21,9 @@ TorqueErrorObserver::TorqueErrorObserver(const Model& model, const std::string& 
                                          const std::vector<ContactSpec>& supports,
                                          const std::vector<std::string>& measured,
                                          const std::string& base) {
-  RobotState state(model, with_loops(model, supports), tool, base);
+  std::vector<ToolFrames> tools;
+  if (!tool.empty()) tools.push_back({tool, base});
+  RobotState state(model, with_loops(model, supports), tools);
   ErrorObserver observer(model, options, state, supports, measured);
   impl_ = std::make_unique<Impl>(std::move(state), std::move(observer));
 }
@@ -40,7 +45,8 @@ Status TorqueErrorObserver::update(const ConstVectorRef& q, const ConstVectorRef
                                    double dt, const Wrenches& supports) noexcept {
   const Status status = impl_->state.update(q, v);
   if (!is_usable(status)) return status;
-  return impl_->observer.update(impl_->state, tau, force_world, dt, supports);
+  impl_->forces_world.colwise() = force_world;
+  return impl_->observer.update(impl_->state, tau, impl_->forces_world, dt, supports);
 }
 
 }  // namespace burnish

@@ -17,13 +17,13 @@ std::vector<ContactSpec> without_gains(std::vector<ContactSpec> contacts) {
 }  // namespace
 
 RobotState::RobotState(const Model& model, std::vector<ContactSpec> contacts,
-                       const std::string& tool, const std::string& surface_frame)
+                       const std::vector<ToolFrames>& tools)
     : body_(model),
       // The regularization `mu` allows postures in which the contact equations are singular.
       dynamics_(model, without_gains(std::move(contacts)), {.mu = 1e-9}),
-      tool_(body_, tool, surface_frame),
       q_(model.q_neutral),
       v_(Eigen::VectorXd::Zero(model.nv)) {
+  for (const ToolFrames& frames : tools) tools_.emplace_back(body_, frames);
   for (const CompiledContact& contact : dynamics_.contacts().contacts())
     is_loop_.push_back(is_loop(model, contact.spec) ? 1 : 0);
 }
@@ -33,7 +33,7 @@ Status RobotState::update(const ConstVectorRef& q, const ConstVectorRef& v) noex
   if (!is_usable(status)) return status;
   q_ = q;
   v_ = v;
-  has_tool_ = has_dynamics_ = false;
+  has_tools_ = has_dynamics_ = false;
   return status;
 }
 
@@ -44,10 +44,11 @@ Status RobotState::set_payload(std::string_view frame, const InertiaSpec& payloa
   return body_.set_payload(frame, payload);
 }
 
-const ToolMotion& RobotState::tool() noexcept {
-  if (!has_tool_) tool_.update(body_);
-  has_tool_ = true;
-  return tool_;
+const std::vector<ToolMotion>& RobotState::tools() noexcept {
+  if (!has_tools_)
+    for (ToolMotion& tool : tools_) tool.update(body_);
+  has_tools_ = true;
+  return tools_;
 }
 
 void RobotState::activate(const ActiveContacts& active) noexcept {

@@ -10,8 +10,8 @@
 namespace burnish {
 
 /// Kinematics and dynamics at a measured configuration and velocity. update() computes the
-/// kinematics. Tool motion, mass matrix and bias are computed on first use. Allocates nothing after
-/// construction.
+/// kinematics. Tool motions, mass matrix and bias are computed on first use. Allocates nothing
+/// after construction.
 class RobotState {
  public:
   /// Selection of contacts for forward(), one entry per contact: 1 if the contact is active.
@@ -19,11 +19,11 @@ class RobotState {
 
   /// - `contacts`: contacts and loops that can be active. Their Baumgarte gains are set to zero,
   ///   because they would turn measurement noise into forces.
-  /// - `tool`, `surface_frame`: see ToolMotion.
+  /// - `tools`: tools of the robot, see ToolMotion.
   ///
   /// Throws Error for an unknown frame, and for contacts that ContactSet rejects.
-  RobotState(const Model& model, std::vector<ContactSpec> contacts, const std::string& tool,
-             const std::string& surface_frame);
+  RobotState(const Model& model, std::vector<ContactSpec> contacts,
+             const std::vector<ToolFrames>& tools);
 
   /// Evaluates a state: `q` (nq) and `v` (nv). Returns WrongSize, NotFinite or NotNormalized and
   /// changes nothing if the state is invalid; otherwise returns Ok.
@@ -34,8 +34,8 @@ class RobotState {
   const Eigen::VectorXd& q() const { return q_; }
   const Eigen::VectorXd& v() const { return v_; }
   const RigidBody& body() const { return body_; }
-  /// Returns the motion of the tool relative to the surface, at the state; zero without a tool.
-  const ToolMotion& tool() noexcept;
+  /// Returns the motion of each tool relative to its surface, at the state.
+  const std::vector<ToolMotion>& tools() noexcept;
   /// Computes accelerations and contact forces for joint torques `tau` (nv) [Nm or N], with the
   /// contacts in `active`. The result is in dynamics().
   Status forward(const ActiveContacts& active, const ConstVectorRef& tau) noexcept;
@@ -53,10 +53,10 @@ class RobotState {
 
   RigidBody body_;
   ContactDynamics dynamics_;
-  ToolMotion tool_;
+  std::vector<ToolMotion> tools_;
   std::vector<char> is_loop_;  ///< Per contact: 1 for a loop of the robot.
   Eigen::VectorXd q_, v_;
-  bool has_tool_ = false;      ///< True if tool_ is updated to q_ and v_.
+  bool has_tools_ = false;     ///< True if tools_ is updated to q_ and v_.
   bool has_dynamics_ = false;  ///< True if dynamics_ is updated to q_ and v_.
 };
 

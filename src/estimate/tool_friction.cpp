@@ -29,15 +29,17 @@ void ToolFriction::reset() noexcept {
   if (coefficient_) coefficient_->reset();
 }
 
-void ToolFriction::update(RobotState& state, const ToolForce& tool, double target,
-                          double dt) noexcept {
+void ToolFriction::update(const RigidBody& body, const ToolMotion& motion, const ToolForce& tool,
+                          double target, double dt) noexcept {
   const double weight = -std::expm1(-spec_.bandwidth * dt);
   pressed_ += weight * (tool.normal() - pressed_);
   const Eigen::Vector3d across = tool.force_world - tool.normal() * tool.normal_world;
-  unmodelled_ += weight * (across - modelled(state, tool, across, dt) - unmodelled_);
+  const Eigen::Vector3d explained =
+      coefficient_ ? modelled(motion.velocity(body), tool, across, dt) : Eigen::Vector3d::Zero();
+  unmodelled_ += weight * (across - explained - unmodelled_);
   // The part of a tangential force that exceeds the normal force does not count as friction.
   ratio_ = presses() ? std::max(target, 0.0) / std::max(pressed_, unmodelled_.norm()) : 0.0;
-  ahead_ = along_plan(state.tool(), tool.normal_world, dt);
+  ahead_ = along_plan(motion, tool.normal_world, dt);
 }
 
 /// Returns the estimated friction, rotated from the past to the future sliding direction. The
@@ -65,13 +67,12 @@ Eigen::Vector3d ToolFriction::along_plan(const ToolMotion& motion, const Eigen::
 
 /// Returns the part of the force along the surface that the friction model of the contacts explains
 /// [N]. Plans already contain this part. When the coefficient changes, unmodelled_ is corrected so
-/// that its sum with the explained part stays the same. `across`: force along the surface [N].
-Eigen::Vector3d ToolFriction::modelled(RobotState& state, const ToolForce& tool,
+/// that its sum with the explained part stays the same. `v_tool`: velocity of the tool relative to
+/// the surface, in world axes [m/s]. `across`: force along the surface [N].
+Eigen::Vector3d ToolFriction::modelled(const Eigen::Vector3d& v_tool, const ToolForce& tool,
                                        const Eigen::Vector3d& across, double dt) noexcept {
-  if (!coefficient_) return Eigen::Vector3d::Zero();
   const double force = tool.normal();
-  const Eigen::Vector3d v = state.tool().velocity(state.body());
-  const Eigen::Vector3d v_across = v - tool.normal_world * tool.normal_world.dot(v);
+  const Eigen::Vector3d v_across = v_tool - tool.normal_world * tool.normal_world.dot(v_tool);
   const Eigen::Vector3d s = sliding_direction(v_across, spec_.planned_speed);
   const double before = coefficient_->coefficient();
   if (presses()) coefficient_->update(force, across, v_across, dt);

@@ -23,8 +23,8 @@ struct ToolFrictionSpec {
 
 /// Force of the surface on the tool at a valid measurement.
 struct ToolForce {
-  const Eigen::Vector3d& force_world;   ///< Force, in world axes [N].
-  const Eigen::Vector3d& normal_world;  ///< Unit normal of the surface, in world axes.
+  Eigen::Vector3d force_world;   ///< Force, in world axes [N].
+  Eigen::Vector3d normal_world;  ///< Unit normal of the surface, in world axes.
   double normal() const { return force_world.dot(normal_world); }  ///< Normal force [N].
 };
 
@@ -42,7 +42,8 @@ class ToolFriction {
   void reset() noexcept;
   /// Updates the estimate, `dt` [s] after the previous measurement. `target`: target of the normal
   /// force [N].
-  void update(RobotState& state, const ToolForce& tool, double target, double dt) noexcept;
+  void update(const RigidBody& body, const ToolMotion& motion, const ToolForce& tool, double target,
+              double dt) noexcept;
   /// Sets the planned velocity (nv) [rad/s or m/s], from which the estimate takes the direction of
   /// motion.
   void foresee(const Eigen::VectorXd& v) noexcept { v_ahead_ = v; }
@@ -64,8 +65,8 @@ class ToolFriction {
  private:
   Eigen::Vector3d along_plan(const ToolMotion& motion, const Eigen::Vector3d& n,
                              double dt) noexcept;
-  Eigen::Vector3d modelled(RobotState& state, const ToolForce& tool, const Eigen::Vector3d& across,
-                           double dt) noexcept;
+  Eigen::Vector3d modelled(const Eigen::Vector3d& v_tool, const ToolForce& tool,
+                           const Eigen::Vector3d& across, double dt) noexcept;
 
   ToolFrictionSpec spec_;
   std::optional<FrictionEstimator> coefficient_;

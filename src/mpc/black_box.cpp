@@ -3,23 +3,29 @@
 #include <algorithm>
 #include <cmath>
 
+#include "base/to_size.hpp"
 #include "model/joint_entries.hpp"
 
 namespace burnish {
 namespace {
 
-std::vector<TraceColumn> history_columns(const Model& model) {
-  std::vector<TraceColumn> columns{{"time", "s"},
-                                   {"schedule_time", "s"},
-                                   {"phase", "-"},
-                                   {"fault", "-"},
-                                   {"tool_force_x_world", "N"},
-                                   {"tool_force_y_world", "N"},
-                                   {"tool_force_z_world", "N"},
-                                   {"estimated_force_normal", "N"},
-                                   {"target_force", "N"},
-                                   {"solve_time", "s"},
-                                   {"status", "-"}};
+/// Returns the start of the names of a tool's columns; empty for the first tool.
+std::string prefix_of(const std::vector<ToolSpec>& tools, std::size_t tool) {
+  return tool == 0 ? "" : "tool_" + tools[tool].frame + "_";
+}
+
+std::vector<TraceColumn> history_columns(const Model& model, const std::vector<ToolSpec>& tools) {
+  std::vector<TraceColumn> columns{
+      {"time", "s"}, {"schedule_time", "s"}, {"phase", "-"}, {"fault", "-"}};
+  for (std::size_t i = 0; i < tools.size(); ++i) {
+    const std::string name = i == 0 ? "tool" : "tool_" + tools[i].frame;
+    for (const char* axis : {"x", "y", "z"})
+      columns.push_back({name + "_force_" + axis + "_world", "N"});
+    columns.push_back({prefix_of(tools, i) + "estimated_force_normal", "N"});
+  }
+  for (std::size_t i = 0; i < std::max<std::size_t>(1, tools.size()); ++i)
+    columns.push_back({prefix_of(tools, i) + "target_force", "N"});
+  columns.insert(columns.end(), {{"solve_time", "s"}, {"status", "-"}});
   for (const Joint& joint : model.joints)
     for (int i = 0; i < joint.nq; ++i)
       columns.push_back({"q_" + model.q_name(joint.q_index + i), unit_of_q(joint.kind, i)});
@@ -35,10 +41,11 @@ std::vector<TraceColumn> history_columns(const Model& model) {
 
 }  // namespace
 
-BlackBox::BlackBox(const Model& model, double tick_period, FaultLatch& latch) {
+BlackBox::BlackBox(const Model& model, const std::vector<ToolSpec>& tools, double tick_period,
+                   FaultLatch& latch) {
   const int rows = static_cast<int>(std::max(1L, std::lround(1.0 / tick_period)));
   Trace& trace = latch.report.last_second;
-  trace = Trace(history_columns(model), rows);
+  trace = Trace(history_columns(model, tools), rows);
   rows_ = RowMatrix::Zero(rows, static_cast<Eigen::Index>(trace.columns().size()));
 }
 
@@ -50,20 +57,29 @@ void BlackBox::record(const MeasurementGate& gate, double schedule_time, const C
   if (frozen) return;
   auto row = rows_.row(count_ % rows_.rows());
   ++count_;
-  const Eigen::Index nq = m.q.size(), nv = m.v.size();
-  row[0] = gate.now();
-  row[1] = schedule_time;
-  row[2] = static_cast<double>(command.phase);
-  row[3] = static_cast<double>(report.kind);
-  row.segment<3>(4) = gate.tool_force_world().transpose();
-  row[7] = command.force_estimate_world.dot(command.normal_world);
-  row[8] = command.target_force;
-  row[9] = command.solve_time;
-  row[10] = static_cast<double>(command.status);
-  row.segment(11, nq) = m.q.transpose();
-  row.segment(11 + nq, nv) = m.v.transpose();
-  row.segment(11 + nq + nv, nv) = m.tau.transpose();
-  row.segment(11 + nq + 2 * nv, nv) = command.tau.transpose();
+  Eigen::Index column = 0;
+  const auto put = [&](double value) { row[column++] = value; };
+  const auto put_all = [&](const auto& values) {
+    row.segment(column, values.size()) = values.transpose();
+    column += values.size();
+  };
+  put(gate.now());
+  put(schedule_time);
+  put(static_cast<double>(command.phase));
+  put(static_cast<double>(report.kind));
+  const Eigen::Matrix3Xd& forces_world = gate.tool_forces_world();
+  for (Eigen::Index i = 0; i < forces_world.cols(); ++i) {
+    const ToolCommand& tool = command.tools[to_size(i)];
+    put_all(forces_world.col(i));
+    put(tool.force_estimate_world.dot(tool.normal_world));
+  }
+  for (const ToolCommand& tool : command.tools) put(tool.target_force);
+  put(command.solve_time);
+  put(static_cast<double>(command.status));
+  put_all(m.q);
+  put_all(m.v);
+  put_all(m.tau);
+  put_all(command.tau);
   if (!latch.is_set()) return;
   const long count = std::min<long>(count_, rows_.rows());
   for (long i = count_ - count; i < count_; ++i) {

@@ -10,8 +10,9 @@ namespace burnish {
 class BlackBox {
  public:
   /// Reserves memory for one second of ticks with the period `tick_period` [s], in the ring buffer
-  /// and in the trace of `latch.report`.
-  BlackBox(const Model& model, double tick_period, FaultLatch& latch);
+  /// and in the trace of `latch.report`. `tools`: frames of the tools.
+  BlackBox(const Model& model, const std::vector<ToolSpec>& tools, double tick_period,
+           FaultLatch& latch);
 
   void reset() noexcept { count_ = 0; }
   /// Records a tick with the last valid measurement of `gate`. At the first fault, the recorded

@@ -19,7 +19,8 @@ int ticks_of(double delay, double tick_period) {
 
 }  // namespace
 
-DelayedState::DelayedState(const ProblemSpec& problem, const LoopTimes& times, double stale)
+DelayedState::DelayedState(const ProblemSpec& problem, const LoopTimes& times, double stale,
+                           std::size_t tools)
     : tick_period_(times.tick_period),
       lead_(times.ticks_in(times.command_delay) * times.tick_period),
       ticks_(times.delay_ticks()),
@@ -31,12 +32,13 @@ DelayedState::DelayedState(const ProblemSpec& problem, const LoopTimes& times, d
                                    : 0.0),
       tree_(std::make_unique<const Tree>(problem.model)),
       sent_(nv_, ticks_),
-      effective_(nv_, max_ticks_) {
+      effective_(nv_, max_ticks_),
+      holds_(tools) {
   for (const Joint& joint : problem.model.joints)
     if (joint.kind != JointKind::FreeFlyer && !joint.follows)
       for (int k = 0; k < joint.nv; ++k) actuated_.push_back(joint.v_index + k);
   start_ = problem.initial_state;
-  tau_ = total_ = dq_ = Eigen::VectorXd::Zero(nv_);
+  tau_ = total_ = dq_ = felt_ = Eigen::VectorXd::Zero(nv_);
 }
 
 DelayedState::~DelayedState() = default;
@@ -60,11 +62,28 @@ void DelayedState::send(const Eigen::VectorXd& tau, const Eigen::VectorXd& frict
   started_ = true;
 }
 
+/// Finds the tools in contact, and computes the torque of the measured forces that their contacts
+/// lack. In free air, this is the whole force. During contact, it is the force along the surface,
+/// unless the contact has a friction model.
+void DelayedState::feel(const ContactForceEstimate& contacts, MeasurementGate& gate,
+                        const PredictionInput& input) noexcept {
+  felt_.setZero();
+  for (std::size_t i = 0; i < holds_.size(); ++i) {
+    const PredictionTool& tool = input.tools[i];
+    Eigen::Vector3d force_world = gate.tool_forces_world().col(static_cast<Eigen::Index>(i));
+    const double pressed = tool.normal_world.dot(force_world);
+    const bool holds = pressed > tool.contact_threshold && contacts.has_contact(input.stage, i);
+    holds_[i] = holds ? 1 : 0;
+    if (holds && tool.has_friction) continue;
+    if (holds) force_world -= tool.normal_world * pressed;
+    felt_.noalias() += gate.state().tools()[i].jacobian().transpose() * force_world;
+  }
+}
+
 bool DelayedState::predict(ContactForceEstimate& contacts, MeasurementGate& gate,
                            const PredictionInput& input, Eigen::VectorXd& x) noexcept {
   if (!started_) return false;
   const Measurement& m = gate.last();
-  const bool holds = input.touches && contacts.has_contact(input.stage);
   const bool is_filtered = filter_ > 0.0 && x.size() > nq_ + nv_;
   start_ = x;
   auto q = x.head(nq_);
@@ -72,12 +91,7 @@ bool DelayedState::predict(ContactForceEstimate& contacts, MeasurementGate& gate
   // Each tick without a measurement extends the prediction by one tick.
   const int missed = ticks_of(gate.now() - m.time, tick_period_);
   int left = std::min(max_ticks_, ticks_ + std::max(0, missed));
-  // Adds the measured force that the contact model lacks. In free air, this is the whole force.
-  // During contact, it is the force along the surface, unless the contact has a friction model.
-  Eigen::Vector3d felt_world = gate.tool_force_world();
-  if (holds) felt_world -= input.normal_world * input.normal_world.dot(felt_world);
-  const bool feels = !(holds && input.has_friction);
-  const auto jacobian = gate.state().tool().jacobian();
+  feel(contacts, gate, input);
   if (!contacts.place(gate.state(), input.schedule_time)) return false;
   while (left > 0) {
     const int count = std::min(left, per_step_);
@@ -93,11 +107,10 @@ bool DelayedState::predict(ContactForceEstimate& contacts, MeasurementGate& gate
       else
         tau_ += command / count;
     }
-    total_ = tau_ + input.torque_error;
-    if (feels) total_.noalias() += jacobian.transpose() * felt_world;
+    total_ = tau_ + input.torque_error + felt_;
     const double dt = count * tick_period_;
     const Status status =
-        gate.state().forward_at(q, v, contacts.active(input.stage, holds), total_);
+        gate.state().forward_at(q, v, contacts.active(input.stage, holds_), total_);
     if (!is_usable(status)) break;
     const auto a = gate.state().dynamics().a();
     dq_ = dt * (v + 0.5 * dt * a);

@@ -2,6 +2,8 @@
 // state in which the next command will act.
 #pragma once
 
+#include <span>
+
 #include "estimate/contact_force_estimate.hpp"
 #include "estimate/loop_times.hpp"
 #include "estimate/sent_torques.hpp"
@@ -16,8 +18,9 @@ struct Tree;
 /// sent. Without delays, the predicted state is the measured state.
 class DelayedState {
  public:
-  /// `stale`: longest time without a measurement for which a state is predicted [s].
-  DelayedState(const ProblemSpec& problem, const LoopTimes& times, double stale);
+  /// `stale`: longest time without a measurement for which a state is predicted [s]. `tools`:
+  /// number of tools.
+  DelayedState(const ProblemSpec& problem, const LoopTimes& times, double stale, std::size_t tools);
   ~DelayedState();
 
   void reset() noexcept;
@@ -36,16 +39,20 @@ class DelayedState {
   /// compensation of joint friction; nv [Nm or N].
   auto sent() const noexcept { return sent_.ago(ticks_); }
 
-  /// Inputs of a prediction, at the time of the last valid measurement.
-  struct PredictionInput {
-    int stage;                            ///< Stage whose contacts are active.
-    double schedule_time;                 ///< Time of the schedule [s].
-    bool touches;                         ///< True if the tool is in contact.
-    const Eigen::VectorXd& torque_error;  ///< Estimated torque error, nv [Nm or N].
+  /// Inputs of a prediction at one tool.
+  struct PredictionTool {
+    double contact_threshold;  ///< Normal force above which the tool is in contact [N].
     /// True if the contact has a friction model. If false, the measured force along the surface is
     /// used instead.
     bool has_friction;
     Eigen::Vector3d normal_world;  ///< Unit normal of the surface, in world axes.
+  };
+  /// Inputs of a prediction, at the time of the last valid measurement.
+  struct PredictionInput {
+    int stage;                            ///< Stage whose contacts are active.
+    double schedule_time;                 ///< Time of the schedule [s].
+    const Eigen::VectorXd& torque_error;  ///< Estimated torque error, nv [Nm or N].
+    std::span<const PredictionTool> tools;
   };
   /// Replaces the measured state x (nx) by the state in which the next command will act. Returns
   /// false and leaves x unchanged if the dynamics cannot be evaluated.
@@ -53,6 +60,9 @@ class DelayedState {
                Eigen::VectorXd& x) noexcept;
 
  private:
+  void feel(const ContactForceEstimate& contacts, MeasurementGate& gate,
+            const PredictionInput& input) noexcept;
+
   double tick_period_, lead_;  ///< Tick period and value of lead() [s].
   int ticks_;                  ///< Delay of commands plus delay of measurements [ticks].
   int per_step_;               ///< Length of an integration step [ticks].
@@ -64,6 +74,8 @@ class DelayedState {
   SentTorques sent_, effective_;
   bool started_ = false;
   Eigen::VectorXd start_, tau_, total_, dq_;
+  std::vector<char> holds_;  ///< Per tool: 1 if the tool is in contact.
+  Eigen::VectorXd felt_;     ///< Joint torques of measured forces that contacts lack, nv [Nm or N].
 };
 
 }  // namespace burnish

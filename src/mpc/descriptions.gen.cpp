@@ -5,6 +5,25 @@
 // NOLINTBEGIN(readability-function-size,modernize-raw-string-literal): tables
 namespace burnish {
 
+const Description& description_of(const ToolCommand* /*of*/) {
+  using S = ToolCommand;
+  static const Description all =
+      Describe<S>("mpc", "ToolCommand",
+                  "Targets and estimates of a controller at one tool.")
+          .field("target_force", &S::target_force,
+                 "Target of the normal force of the surface on the tool [{N}]")
+          .field("p_target_world", &S::p_target_world,
+                 "Target position of the tip frame's origin, in world axes [{m}]")
+          .more("While the tool presses, the target lies on the estimated surface")
+          .field("normal_world", &S::normal_world,
+                 "Estimated surface normal at the tool, a unit vector in world axes")
+          .field("force_estimate_world", &S::force_estimate_world,
+                 "Estimated force of the surface on the tool, in world axes [{N}]")
+          .field("friction", &S::friction,
+                 "Estimated coefficient of friction between tool and surface");
+  return all;
+}
+
 const Description& description_of(const Command* /*of*/) {
   using S = Command;
   static const Description all =
@@ -16,17 +35,10 @@ const Description& description_of(const Command* /*of*/) {
           .field("phase", &S::phase,
                  "Current phase of the task")
           .more("For an MpcController, this is the index of the phase in the schedule")
-          .field("target_force", &S::target_force,
-                 "Target of the normal force of the surface on the tool [{N}]")
-          .field("p_target_world", &S::p_target_world,
-                 "Target position of the tip frame's origin, in world axes [{m}]")
-          .more("While the tool presses, the target lies on the estimated surface")
-          .field("normal_world", &S::normal_world,
-                 "Estimated surface normal at the tool, a unit vector in world axes")
-          .field("force_estimate_world", &S::force_estimate_world,
-                 "Estimated force of the surface on the tool, in world axes [{N}]")
-          .field("friction", &S::friction,
-                 "Estimated coefficient of friction between tool and surface")
+          .field("tools", &S::tools,
+                 "Targets and estimates at each tool")
+          .more("For an MpcController, in the order of MpcSpec.tools. A controller without a tool"
+                " has one entry, which records the targets of its task")
           .field("status", &S::status)
           .field("solve_time", &S::solve_time,
                  "Wall-clock time of the solve that finished at this tick [{s}]; 0: no solve "
@@ -253,6 +265,29 @@ const Words& words_of(PlanTiming /*of*/) {
   return all;
 }
 
+const Description& description_of(const ToolSpec* /*of*/) {
+  using S = ToolSpec;
+  static const Description all =
+      Describe<S>("mpc", "ToolSpec",
+                  "Tool of a controller, which presses on a surface.")
+          .field("frame", &S::frame,
+                 "Frame of the tool")
+          .field("base", &S::base,
+                 "Robot frame that carries the surface, such as a hand that holds a plate; empty:"
+                 " the world")
+          .more("The reaction to the force on the tool acts on this frame")
+          .field("normal_base", &S::normal_base,
+                 "Normal of the surface that the tool presses on, in the axes of `base` (world "
+                 "axes if `base` is empty)")
+          .more("The normal points towards the robot. Friction acts perpendicular to the normal")
+          .field("contact_threshold", &S::contact_threshold,
+                 "Normal force above which the tool counts as in contact [{N}]",
+                 {.least = 0})
+          .field("friction", &S::friction,
+                 "Estimation of the friction coefficient, for contacts with ContactSpec.friction");
+  return all;
+}
+
 const Description& description_of(const MpcSpec* /*of*/) {
   using S = MpcSpec;
   static const Description all =
@@ -270,16 +305,8 @@ const Description& description_of(const MpcSpec* /*of*/) {
           .field("task", &S::task,
                  "Function that creates the task, which defines events and monitored quantities; "
                  "none: no task")
-          .field("tool", &S::tool,
-                 "Frame of the tool; empty: the robot has no tool")
-          .field("base", &S::base,
-                 "Robot frame that carries the surface, such as a hand that holds a plate; empty:"
-                 " the world")
-          .more("The reaction to the force on the tool acts on this frame")
-          .field("normal_base", &S::normal_base,
-                 "Normal of the surface that the tool presses on, in the axes of `base` (world "
-                 "axes if `base` is empty)")
-          .more("The normal points towards the robot. Friction acts perpendicular to the normal")
+          .field("tools", &S::tools,
+                 "Tools that press on surfaces; none: the robot has no tool")
           .field("supports", &S::supports,
                  "Names of the contacts that the robot stands on or leans against")
           .more("The fallback and the estimators use the supports that are in contact in every "
@@ -294,17 +321,15 @@ const Description& description_of(const MpcSpec* /*of*/) {
                 "require a sensor (`touches`)")
           .field("touches", &S::touches,
                  "Sensors of tools, feet and hands that the controller reads")
-          .more("Measurement.wrenches has one column per entry, in this order. If the tool has no"
-                " entry, its force has a column before the others. A NaN in a component that the "
-                "controller reads makes the measurement invalid. If the tool's entry states the "
-                "sensor `none`, the force on the tool is estimated from the change of the torque "
-                "error at contact. This estimate requires that model_error.kind is `torque`. With"
-                " a sensor at each support, torque errors are estimated in all joints, including "
-                "the joints of supporting legs. If only some supports have sensors, the others "
-                "count as rigid contacts. A support whose rotation is free, such as a point foot,"
-                " needs no sensor of moments")
-          .field("contact_threshold", &S::contact_threshold,
-                 "Normal force above which the tool counts as in contact [{N}]")
+          .more("Measurement.wrenches has one column per entry, in this order. Forces of tools "
+                "without an entry have columns before the others. A NaN in a component that the "
+                "controller reads makes the measurement invalid. If the entry of the only tool "
+                "states the sensor `none`, the force on the tool is estimated from the change of "
+                "the torque error at contact. This estimate requires that model_error.kind is "
+                "`torque`. With a sensor at each support, torque errors are estimated in all "
+                "joints, including the joints of supporting legs. If only some supports have "
+                "sensors, the others count as rigid contacts. A support whose rotation is free, "
+                "such as a point foot, needs no sensor of moments")
           .field("tick_period", &S::tick_period,
                  "Time between ticks [{s}]")
           .field("update_period", &S::update_period,
@@ -356,9 +381,6 @@ const Description& description_of(const MpcSpec* /*of*/) {
                  "additional limits")
           .more("The robot's effort limits always apply. The fallback uses only the effort limits")
           .field("model_error", &S::model_error)
-          .field("friction_estimate", &S::friction_estimate,
-                 "Estimation of the friction coefficient at the tool, for contacts with "
-                 "ContactSpec.friction")
           .field("slip", &S::slip,
                  "Reaction of plans to slipping supports")
           .field("limits", &S::limits)

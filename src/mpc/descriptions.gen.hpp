@@ -19,6 +19,7 @@
 
 namespace burnish {
 
+const Description& description_of(const ToolCommand*);
 const Description& description_of(const Command*);
 const Words& words_of(FaultKind);
 const Description& description_of(const FaultReport*);
@@ -28,6 +29,7 @@ const Description& description_of(const LoopMargins*);
 const Description& description_of(const SafetyLimits*);
 const Description& description_of(const Fallback*);
 const Words& words_of(PlanTiming);
+const Description& description_of(const ToolSpec*);
 const Description& description_of(const MpcSpec*);
 const Description& description_of(const SchedulePhase*);
 

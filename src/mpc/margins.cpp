@@ -47,9 +47,12 @@ Case case_of(const ModelErrorOptions& options, double bandwidth) {
 /// `spec.schedule`.
 bool presses_in(const MpcSpec& spec, int phase) {
   const std::string& name = spec.schedule[to_size(phase)].stage;
+  const auto is_tool = [&](const std::string& frame) {
+    return !spec.tools.empty() && frame == spec.tools.front().frame;
+  };
   for (const Stage& stage : spec.problem.stages)
     for (const ContactSpec& contact : spec.problem.contacts)
-      if (stage.name == name && contact.tool == spec.tool &&
+      if (stage.name == name && is_tool(contact.tool) &&
           std::find(stage.contacts.begin(), stage.contacts.end(), contact.name) !=
               stage.contacts.end())
         return true;
@@ -60,13 +63,14 @@ bool presses_in(const MpcSpec& spec, int phase) {
 SampledLoopSpec loop_spec(const MpcSpec& spec, int phase) {
   const ProblemSpec& problem = spec.problem;
   const MpcSpec filled = completed(spec);
+  const ToolSpec tool = filled.tools.empty() ? ToolSpec{.frame = {}} : filled.tools.front();
   return {.plan = plan_slopes(filled.problem, filled.schedule, phase, filled.solver,
                               filled.model_error.decay_time),
           .model = problem.model,
           .q = problem.initial_state.head(problem.model.nq),
-          .tool = spec.tool,
+          .tool = tool.frame,
           .presses = presses_in(spec, phase),
-          .normal_world = spec.normal_base.normalized(),
+          .normal_world = tool.normal_base,
           .observes = spec.model_error.kind == ModelErrorKind::Torque,
           .feedback = spec.feedback,
           .tick_period = spec.tick_period,
@@ -188,10 +192,15 @@ std::string without_margins(const MpcSpec& spec) {
   if (!model.loops.empty()) return "margins: the robot has loops; wanted an open chain";
   if (!spec.supports.empty())
     return "margins: the robot stands on supports; wanted an arm without supports";
-  if (!spec.base.empty())
-    return "margins: the robot carries the surface; wanted a surface fixed to the world";
-  if (!spec.tool.empty() && wrench_column(spec, spec.tool) < 0)
-    return "margins: the force is estimated from torques; wanted a force sensor";
+  if (spec.tools.size() > 1)
+    return "margins: the controller has " + std::to_string(spec.tools.size()) +
+           " tools; wanted at most one";
+  for (const ToolSpec& tool : spec.tools) {
+    if (!tool.base.empty())
+      return "margins: the robot carries the surface; wanted a surface fixed to the world";
+    if (wrench_column(spec, tool.frame) < 0)
+      return "margins: the force is estimated from torques; wanted a force sensor";
+  }
   if (spec.model_error.kind == ModelErrorKind::Force)
     return "margins: model_error.kind is force; wanted torque or none";
   return {};

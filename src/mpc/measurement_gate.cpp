@@ -13,7 +13,8 @@ MeasurementGate::MeasurementGate(const GateSpec& spec)
       tick_period_(spec.tick_period),
       touches_(static_cast<Eigen::Index>(spec.touches.size())),
       q_start_(spec.q_start),
-      state_(spec.model, spec.contacts, spec.tool, spec.surface_frame) {
+      state_(spec.model, spec.contacts, spec.tools),
+      tool_forces_world_(Eigen::Matrix3Xd::Zero(3, static_cast<Eigen::Index>(spec.tools.size()))) {
   const Model& model = spec.model;
   for (int i = 0; i < model.nq; ++i) q_names_.push_back(model.q_name(i));
   for (int k = 0; k < model.nv; ++k) v_names_.push_back(model.v_name(k));
@@ -22,15 +23,14 @@ MeasurementGate::MeasurementGate(const GateSpec& spec)
   last_.wrenches.setZero(6, touches_);
   for (Eigen::Index i = 0; i < touches_; ++i) {
     const TouchSensor& touch = spec.touches[to_size(i)];
-    const Sensor sensor{touch.frame, i, touch.sensor == WrenchSensor::Wrench ? 6 : 3};
     if (touch.sensor == WrenchSensor::None) continue;
-    if (touch.frame != spec.tool) {
-      sensors_.push_back(sensor);
-      continue;
-    }
-    tool_ = sensor;
-    tool_->rows = 3;  // the moment on the tool is not read
-    tool_frame_ = state_.body().frame(spec.tool);
+    const auto tool = std::find_if(spec.tools.begin(), spec.tools.end(),
+                                   [&](const ToolFrames& t) { return t.tool == touch.frame; });
+    if (tool == spec.tools.end())
+      sensors_.push_back({touch.frame, i, touch.sensor == WrenchSensor::Wrench ? 6 : 3});
+    else  // the moment on a tool is not read
+      tool_sensors_.push_back(
+          {{touch.frame, i, 3}, state_.body().frame(touch.frame), tool - spec.tools.begin()});
   }
   wrenches_.setZero(6, static_cast<Eigen::Index>(sensors_.size()));
 }
@@ -40,7 +40,7 @@ void MeasurementGate::reset() noexcept {
   last_.q = q_start_;
   last_.v.setZero();
   last_.tau.setZero();
-  tool_force_world_.setZero();
+  tool_forces_world_.setZero();
   last_.wrenches.setZero();
   wrenches_.setZero();
   last_.base_lost_for = 0.0;
@@ -67,8 +67,10 @@ bool MeasurementGate::take_state(const Measurement& m) noexcept {
 /// Returns whether all components of wrenches with a sensor are finite. Without sensors, a
 /// measurement may have no columns.
 bool MeasurementGate::has_wrenches(const Measurement& m) const noexcept {
-  if (!tool_ && sensors_.empty()) return true;
-  return m.wrenches.cols() == touches_ && (!tool_ || tool_->is_finite(m)) &&
+  if (tool_sensors_.empty() && sensors_.empty()) return true;
+  return m.wrenches.cols() == touches_ &&
+         std::all_of(tool_sensors_.begin(), tool_sensors_.end(),
+                     [&](const ToolSensor& tool) { return tool.sensor.is_finite(m); }) &&
          std::all_of(sensors_.begin(), sensors_.end(),
                      [&](const Sensor& sensor) { return sensor.is_finite(m); });
 }
@@ -111,8 +113,9 @@ bool MeasurementGate::accept(const Measurement& m, FaultLatch& latch, Status& st
   }
   last_.tau = m.tau;
   if (m.wrenches.cols() == touches_) last_.wrenches = m.wrenches;
-  if (tool_)
-    tool_force_world_ = state_.body().placement(tool_frame_).linear() * m.force_at(tool_->column);
+  for (const ToolSensor& tool : tool_sensors_)
+    tool_forces_world_.col(tool.tool) =
+        state_.body().placement(tool.frame).linear() * m.force_at(tool.sensor.column);
   take_wrenches(m);
   last_.base_lost_for = m.base_lost_for;
   now_ = last_.time = m.time;
@@ -156,11 +159,12 @@ void MeasurementGate::describe_wrenches(const Measurement& m) noexcept {
                   static_cast<int>(m.wrenches.cols()), static_cast<int>(touches_));
     return;
   }
-  if (tool_ && !tool_->is_finite(m)) {
+  for (const ToolSensor& tool : tool_sensors_) {
+    if (tool.sensor.is_finite(m)) continue;
     std::snprintf(bad_, sizeof bad_,
                   "the force on the tool '%s' is not finite; wanted a force sensor, or sensor none "
                   "in MpcSpec.touches",
-                  tool_->frame.c_str());
+                  tool.sensor.frame.c_str());
     return;
   }
   for (const Sensor& sensor : sensors_) {

@@ -11,8 +11,7 @@ namespace burnish {
 struct GateSpec {
   Model model;
   std::vector<ContactSpec> contacts;  ///< Contacts of MeasurementGate::state().
-  std::string tool;                   ///< Frame of the tool; empty: the robot has no tool.
-  std::string surface_frame;          ///< Robot frame that carries the surface; empty: world.
+  std::vector<ToolFrames> tools;      ///< Tools of MeasurementGate::state().
   Eigen::VectorXd q_start;            ///< Configuration until the first valid measurement.
   std::vector<TouchSensor> touches;   ///< Columns of Measurement::wrenches.
   SafetyLimits limits;                ///< Only `bad` and `stale` are used.
@@ -21,9 +20,9 @@ struct GateSpec {
 
 /// Gate that checks measurements and keeps the last valid one. A measurement is invalid if it
 /// contains a NaN, an infinity or a vector of wrong size, or if its time does not increase. NaN is
-/// allowed only in components of wrenches that GateSpec::touches excludes, and in the tool's
-/// moment. While measurements are invalid, the time advances by one tick period per tick, until one
-/// of the limits `bad` and `stale` is reached.
+/// allowed only in components of wrenches that GateSpec::touches excludes, and in moments on tools.
+/// While measurements are invalid, the time advances by one tick period per tick, until one of the
+/// limits `bad` and `stale` is reached.
 class MeasurementGate {
  public:
   explicit MeasurementGate(const GateSpec& spec);
@@ -44,14 +43,14 @@ class MeasurementGate {
   /// State of the robot at the last valid measurement, with the contacts of the specification.
   RobotState& state() { return state_; }
   const RigidBody& body() const { return state_.body(); }  ///< Kinematics of state().
-  /// Returns the force of the surface on the tool at the last valid measurement, in world axes [N].
-  /// The force is zero without a tool.
-  const Eigen::Vector3d& tool_force_world() const { return tool_force_world_; }
+  /// Returns the force of the surface on each tool at the last valid measurement, in world axes, 3
+  /// x tools [N].
+  const Eigen::Matrix3Xd& tool_forces_world() const { return tool_forces_world_; }
   /// Returns the wrenches at the last valid measurement: one column per touch with a sensor, such
-  /// as a foot, except the tool. A moment that is not measured is zero.
+  /// as a foot, except tools. A moment that is not measured is zero.
   const Wrenches& wrenches() const { return wrenches_; }
-  /// Sets the force at the tool for robots without a force sensor, in world axes [N].
-  void feel(const Eigen::Vector3d& force_world) noexcept { tool_force_world_ = force_world; }
+  /// Sets the forces at the tools of a robot without force sensors, in world axes, 3 x tools [N].
+  void feel(const Eigen::Matrix3Xd& forces_world) noexcept { tool_forces_world_ = forces_world; }
   /// Multiplies the velocity of last() by `factor`, for ticks without a valid measurement.
   void fade_velocity(double factor) noexcept { last_.v *= factor; }
 
@@ -61,7 +60,7 @@ class MeasurementGate {
   struct Sensor {
     std::string frame;
     Eigen::Index column;  ///< Column of Measurement::wrenches.
-    Eigen::Index rows;    ///< Number of measured components: 3 (force) or 6.
+    Eigen::Index rows;    ///< Number of measured components that are read: 3 (force) or 6.
     bool is_finite(const Measurement& m) const {
       return m.wrenches.col(column).head(rows).allFinite();
     }
@@ -80,14 +79,19 @@ class MeasurementGate {
   std::vector<std::string> q_names_, v_names_;
   char bad_[160] = "";  ///< Description of what was wrong with the last invalid measurement.
   double tick_period_;
-  Eigen::Index touches_;        ///< Number of columns of Measurement::wrenches.
-  std::optional<Sensor> tool_;  ///< Force sensor at the tool.
-  int tool_frame_ = -1;
-  std::vector<Sensor> sensors_;  ///< Sensors of all touches except the tool.
+  /// Force sensor at a tool.
+  struct ToolSensor {
+    Sensor sensor;
+    int frame;          ///< Frame of the tool.
+    Eigen::Index tool;  ///< Column of tool_forces_world_.
+  };
+  Eigen::Index touches_;  ///< Number of columns of Measurement::wrenches.
+  std::vector<ToolSensor> tool_sensors_;
+  std::vector<Sensor> sensors_;  ///< Sensors of all touches except tools.
   Eigen::VectorXd q_start_;
   RobotState state_;
   Measurement last_;  ///< Last valid measurement, with its own time.
-  Eigen::Vector3d tool_force_world_ = Eigen::Vector3d::Zero();
+  Eigen::Matrix3Xd tool_forces_world_;
   Wrenches wrenches_;
   double now_ = 0.0, dt_ = 0.0;
   bool started_ = false;  ///< True after the first valid measurement, unless a fault came before.

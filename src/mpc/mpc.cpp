@@ -14,6 +14,11 @@ int MpcController::nv() const { return impl_->problem.layout().nv; }
 std::optional<std::vector<TouchSensor>> MpcController::touches() const {
   return touch_sensors(impl_->spec);
 }
+std::vector<std::string> MpcController::tools() const {
+  std::vector<std::string> frames;
+  for (const ToolSpec& tool : impl_->spec.tools) frames.push_back(tool.frame);
+  return frames;
+}
 std::vector<TraceColumn> MpcController::signals() const { return impl_->signals(); }
 void MpcController::write_signals(std::span<double> values) const noexcept {
   impl_->write_signals(values);
@@ -33,7 +38,7 @@ std::exception_ptr MpcController::take_exception() noexcept {
 const LinearFeedback& MpcController::feedback() const { return impl_->policy.feedback(); }
 const Eigen::VectorXd& MpcController::torque_error() const { return impl_->error.torque_error(); }
 const Eigen::VectorXd& MpcController::support_friction() const { return impl_->grip.friction(); }
-double MpcController::force_error() const { return impl_->error.force_error(); }
+const Eigen::VectorXd& MpcController::force_error() const { return impl_->error.force_error(); }
 const Schedule& MpcController::schedule() const { return impl_->schedule; }
 double MpcController::plan_age() const { return impl_->gate.now() - impl_->policy.measured(); }
 const Problem& MpcController::problem() const { return impl_->problem; }

@@ -52,6 +52,44 @@ void check_limits(const SafetyLimits& limits, double tick_period) {
                 " s; wanted more than tick_period, " + number(tick_period) + " s");
 }
 
+/// Checks the tools: frames must exist, each tool must be stated once, and forces must be known.
+void check_tools(const MpcSpec& spec) {
+  const Model& model = spec.problem.model;
+  std::vector<std::string> frames, seen;
+  for (const Frame& frame : model.frames) frames.push_back(frame.name);
+  for (const ToolSpec& tool : spec.tools) {
+    const std::string what = "MPC: tool " + in_quotes(tool.frame);
+    if (!model.has_frame(tool.frame))
+      throw Error(what + " is not a frame of the robot" + did_you_mean(tool.frame, frames));
+    if (!tool.base.empty() && !model.has_frame(tool.base))
+      throw Error(what + " presses on a surface of " + in_quotes(tool.base) +
+                  ", which is not a frame of the robot" + did_you_mean(tool.base, frames));
+    if (std::find(seen.begin(), seen.end(), tool.frame) != seen.end())
+      throw Error("MPC: tools has two entries for frame " + in_quotes(tool.frame) +
+                  "; wanted one entry");
+    seen.push_back(tool.frame);
+    for (const ContactSpec& contact : spec.problem.contacts)
+      if (contact.tool == tool.frame && std::find(spec.supports.begin(), spec.supports.end(),
+                                                  contact.name) != spec.supports.end())
+        throw Error(what + " is also the frame of support " + in_quotes(contact.name) +
+                    "; wanted a tool or a support");
+    if (!tool.normal_base.allFinite() || !(tool.normal_base.norm() > 0.0))
+      throw Error(what + " has a normal that is not finite or has length 0; wanted a direction");
+    check_ranges(description_of(&tool), &tool,
+                 [&](const std::string& entry) { return what + ": " + entry; });
+    if (wrench_column(spec, tool.frame) >= 0) continue;
+    if (spec.tools.size() > 1)
+      throw Error(what + " has no force sensor, and a force can be estimated only for a single " +
+                  "tool; wanted a force sensor at each of the " +
+                  std::to_string(spec.tools.size()) + " tools (touches)");
+    if (spec.model_error.kind != ModelErrorKind::Torque)
+      throw Error(what +
+                  " has no force sensor, so its force is estimated from torques, which requires an "
+                  "estimate of the torque error; wanted model_error.kind torque, or a force sensor "
+                  "at the tool (touches)");
+  }
+}
+
 /// Checks the touches: each must be a frame of the robot, stated once.
 void check_touches(const MpcSpec& spec) {
   const Model& model = spec.problem.model;
@@ -159,8 +197,6 @@ int checked_ticks_per_update(const MpcSpec& spec) {
     throw Error(
         "MPC: force_states do not work with MPC, because they are the forces of the previous step, "
         "but plans start at ticks, which are shorter than steps; wanted no force_states");
-  if (!spec.normal_base.allFinite() || !(spec.normal_base.norm() > 0.0))
-    throw Error("MPC: the normal is not finite or has length 0; wanted a direction");
   if (!(spec.settle >= 0.0) || !std::isfinite(spec.settle))
     throw Error("MPC: settle is " + number(spec.settle) + " s; wanted at least 0");
   if (!(spec.slowdown > 0.0) || !std::isfinite(spec.slowdown))
@@ -189,21 +225,13 @@ int checked_ticks_per_update(const MpcSpec& spec) {
       throw Error("MPC: " + std::string(name) + " is " + std::to_string(count) +
                   "; wanted at least 1");
   check_torque_limit(spec);
+  check_tools(spec);
   check_touches(spec);
   check_supports(spec);
   check_resting(spec);
-  if (!spec.tool.empty() && wrench_column(spec, spec.tool) < 0 &&
-      spec.model_error.kind != ModelErrorKind::Torque)
-    throw Error("MPC: tool " + in_quotes(spec.tool) +
-                " has no force sensor, so its force is estimated from torques, which requires an "
-                "estimate of the torque error; wanted model_error.kind torque, or a force sensor "
-                "at the tool (touches)");
   check_ranges(description_of(&spec.fallback), &spec.fallback,
                [](const std::string& entry) { return "MPC: the fallback's " + entry; });
   check_limits(spec.limits, spec.tick_period);
-  if (!(spec.contact_threshold >= 0.0))
-    throw Error("MPC: contact_threshold is " + number(spec.contact_threshold) +
-                " N; wanted at least 0");
   return ticks;
 }
 

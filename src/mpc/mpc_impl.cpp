@@ -54,17 +54,17 @@ MpcController::Impl::Impl(MpcSpec given)
       payloads_(spec.problem.model),
       expected_(spec.solver_delay),
       prediction_(problem),
-      ahead_(spec.problem, loop_times(spec), spec.limits.stale),
+      ahead_(spec.problem, loop_times(spec), spec.limits.stale, spec.tools.size()),
       holding_(holding_spec(spec),
                {problem.layout().actuated.begin(), problem.layout().actuated.end()}),
       plans_(spec.limits),
       motors_(spec.problem.model, spec.limits, spec.tick_period),
-      black_box_(spec.problem.model, spec.tick_period, fault),
+      black_box_(spec.problem.model, spec.tools, spec.tick_period, fault),
       watched_(task->watched()),
       task_signals_(task->signals().size()),
       readings_(watched_.size()),
-      tool_(spec.tool.empty() ? -1 : RigidBody(spec.problem.model).frame(spec.tool)),
-      base_(spec.base.empty() ? -1 : RigidBody(spec.problem.model).frame(spec.base)),
+      target_forces_(Eigen::VectorXd::Zero(static_cast<Eigen::Index>(spec.tools.size()))),
+      predicted_tools_(spec.tools.size()),
       x_(spec.problem.initial_state),
       u_(Eigen::VectorXd::Zero(problem.layout().nu)),
       v_ahead_(Eigen::VectorXd::Zero(problem.layout().nv)),
@@ -72,7 +72,14 @@ MpcController::Impl::Impl(MpcSpec given)
       x_plan_(x_),
       u_plan_(u_) {
   command_.tau = Eigen::VectorXd::Zero(problem.layout().nv);
-  command_.normal_world = spec.normal_base;
+  if (!spec.tools.empty()) command_.tools.resize(spec.tools.size());
+  const RigidBody& body = gate.body();
+  for (std::size_t i = 0; i < spec.tools.size(); ++i) {
+    const ToolSpec& tool = spec.tools[i];
+    tools_.push_back({body.frame(tool.frame), tool.base.empty() ? -1 : body.frame(tool.base)});
+    predicted_tools_[i] = {tool.contact_threshold, error.models_friction(i), tool.normal_base};
+  }
+  reset_tools();
   std::size_t max_length = 0;
   for (const SupportGrip::Support& support : grip.supports())
     max_length = std::max(max_length, support.name.size());
@@ -100,8 +107,6 @@ void MpcController::Impl::reset() noexcept {
   next_ = {};
   expected_ = spec.solver_delay;
   busy_until_ = -std::numeric_limits<double>::infinity();
-  surface_.reset();
-  depth_ = 0.0;
   task->reset();
   schedule.reset();
   fault.reset();
@@ -118,9 +123,18 @@ void MpcController::Impl::reset() noexcept {
   reset_inputs();
   solver.forget_limits();
   tick_ = 0;
-  command_ = Command{std::move(command_.tau)};
-  command_.normal_world = spec.normal_base;
+  command_ = Command{.tau = std::move(command_.tau), .tools = std::move(command_.tools)};
   command_.tau.setZero();
+  reset_tools();
+}
+
+void MpcController::Impl::reset_tools() noexcept {
+  std::fill(command_.tools.begin(), command_.tools.end(), ToolCommand{});
+  for (std::size_t i = 0; i < tools_.size(); ++i) {
+    tools_[i].surface.reset();
+    tools_[i].depth = 0.0;
+    command_.tools[i].normal_world = spec.tools[i].normal_base;
+  }
 }
 
 /// Resets the inputs of the problem, except payloads.
@@ -176,24 +190,28 @@ void MpcController::Impl::process_measurement() noexcept {
                       .schedule = schedule,
                       .command = command_,
                       .dt = gate.dt(),
-                      .tool_force_world = gate.tool_force_world()};
+                      .tool_forces_world = gate.tool_forces_world()};
+  for (std::size_t i = 0; i < tools_.size(); ++i)
+    target_forces_[static_cast<Eigen::Index>(i)] = command_.tools[i].target_force;
   const ErrorInput input{.measurement = gate.last(),
-                         .tool_force_world = gate.tool_force_world(),
+                         .tool_forces_world = gate.tool_forces_world(),
                          .wrenches = gate.wrenches(),
                          .dt = gate.dt(),
-                         .target_force = command_.target_force,
+                         .target_forces = target_forces_,
                          .sent = ahead_.acted(),
                          .stage = horizon.stage_of(schedule.phase()),
                          .schedule_time = schedule.time(),
                          .waits = schedule.waits()};
   if (error.feels()) gate.feel(error.feel(gate.state(), input));
-  if (base_ >= 0) rotate_normal();
+  rotate_normals();
   const unsigned happened = task->sense(view);
-  update_surface();
+  for (std::size_t i = 0; i < tools_.size(); ++i) update_surface(i);
   error.update(gate.state(), input);
   grip.update(gate.body(), gate.wrenches(), gate.dt());
-  command_.force_estimate_world = error.force_world();
-  command_.friction = error.friction();
+  for (std::size_t i = 0; i < tools_.size(); ++i) {
+    command_.tools[i].force_estimate_world = error.forces_world().col(static_cast<Eigen::Index>(i));
+    command_.tools[i].friction = error.friction(i);
+  }
   // Until a thread has computed the first plan, the fallback holds the robot, and the clock of the
   // schedule stands still.
   const bool clock_runs = life_.state() != PlanLife::State::FirstPlan;
@@ -208,31 +226,37 @@ void MpcController::Impl::process_measurement() noexcept {
   if (life_.can_begin() && next_.due && is_free) update();
 }
 
-/// Rotates the normal with the frame that carries the surface.
-void MpcController::Impl::rotate_normal() noexcept {
-  command_.normal_world = gate.body().placement(base_).linear() * spec.normal_base;
-  error.set_normal(command_.normal_world);
+/// Rotates the normals of surfaces that frames of the robot carry.
+void MpcController::Impl::rotate_normals() noexcept {
+  for (std::size_t i = 0; i < tools_.size(); ++i) {
+    if (tools_[i].base < 0) continue;
+    command_.tools[i].normal_world =
+        gate.body().placement(tools_[i].base).linear() * spec.tools[i].normal_base;
+    error.set_normal(i, command_.tools[i].normal_world);
+  }
 }
 
-void MpcController::Impl::update_surface() noexcept {
-  const Quadric* const surface = task->surface();
-  if (tool_ < 0 || surface == nullptr || !surface->is_finite()) return;
-  const Eigen::Vector3d p_tool_world = gate.body().placement(tool_).translation();
+void MpcController::Impl::update_surface(std::size_t tool) noexcept {
+  Tool& at = tools_[tool];
+  const int index = static_cast<int>(tool);
+  const Quadric* const surface = task->surface(index);
+  if (surface == nullptr || !surface->is_finite()) return;
+  const Eigen::Vector3d p_tool_world = gate.body().placement(at.frame).translation();
   Eigen::Vector3d gradient;
-  if (base_ < 0) {
+  if (at.base < 0) {
     gradient = surface->gradient(p_tool_world);
-  } else {  // surface_ is in the axes of `base`
-    const Eigen::Isometry3d base_world = gate.body().placement(base_);
+  } else {  // the surface is in the axes of `base`
+    const Eigen::Isometry3d base_world = gate.body().placement(at.base);
     gradient = base_world.linear() * surface->gradient(base_world.inverse() * p_tool_world);
   }
   const double length = gradient.norm();
   // Keeps the previous normal if the surface has none at this position.
   if (!(length > 1e-9)) return;
-  command_.normal_world = gradient / length;
-  error.set_surface(*surface, command_.normal_world);
-  const double depth = task->surface_depth();
-  surface_ = *surface;
-  depth_ = std::isfinite(depth) ? std::max(0.0, depth) : 0.0;
+  command_.tools[tool].normal_world = gradient / length;
+  error.set_surface(tool, *surface, command_.tools[tool].normal_world);
+  const double depth = task->surface_depth(index);
+  at.surface = *surface;
+  at.depth = std::isfinite(depth) ? std::max(0.0, depth) : 0.0;
 }
 
 void MpcController::Impl::update() noexcept {
@@ -267,10 +291,12 @@ bool MpcController::Impl::prepare_plan() noexcept {
     (void)problem.set_payload(frame, payload);
   });
   horizon.follow(schedule);
-  inputs.set_friction(problem, command_.friction);
   inputs.set_support_friction(problem, grip.friction());
-  inputs.set_force_error(problem, error.force_error());
-  if (surface_) inputs.set_surface(problem, *surface_, depth_);
+  for (std::size_t i = 0; i < tools_.size(); ++i) {
+    inputs.set_friction(problem, i, command_.tools[i].friction);
+    inputs.set_force_error(problem, i, error.force_error()[static_cast<Eigen::Index>(i)]);
+    if (tools_[i].surface) inputs.set_surface(problem, i, *tools_[i].surface, tools_[i].depth);
+  }
   const bool is_ready = spec.model_error.kind != ModelErrorKind::Torque || set_torque_error();
   task->set_inputs(problem);
   x_plan_ = acting_state();
@@ -423,18 +449,15 @@ const Eigen::VectorXd& MpcController::Impl::acting_state() noexcept {
   (void)measured_state();
   const double time = schedule.time() + ahead_.lead();
   const int stage = horizon.stage_of(schedule.phase_at(time));
-  const double pressed = gate.tool_force_world().dot(command_.normal_world);
-  const bool has_friction = error.models_friction();
+  for (std::size_t i = 0; i < tools_.size(); ++i)
+    predicted_tools_[i].normal_world = command_.tools[i].normal_world;
   // If the prediction fails, x_ stays at the measured state.
-  (void)ahead_.predict(
-      error.contacts(), gate,
-      {.stage = stage,
-       .schedule_time = time,
-       .touches = pressed > spec.contact_threshold,
-       .torque_error = has_friction ? error.torque_error() : error.observed_error(),
-       .has_friction = has_friction,
-       .normal_world = command_.normal_world},
-      x_);
+  (void)ahead_.predict(error.contacts(), gate,
+                       {.stage = stage,
+                        .schedule_time = time,
+                        .torque_error = error.modelled_error(),
+                        .tools = predicted_tools_},
+                       x_);
   is_ahead_ = true;
   return x_;
 }
@@ -482,7 +505,7 @@ void MpcController::Impl::limit_torque(bool controls) noexcept {
 void MpcController::Impl::set_targets() noexcept {
   command_.phase = schedule.phase();
   if (fault.is_set()) {
-    command_.target_force = 0.0;
+    for (ToolCommand& tool : command_.tools) tool.target_force = 0.0;
     return;
   }
   try {

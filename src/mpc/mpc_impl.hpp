@@ -40,8 +40,9 @@ struct MpcController::Impl {
   // Steps of a tick.
   bool has_settled() const noexcept;
   void process_measurement() noexcept;
-  void rotate_normal() noexcept;
-  void update_surface() noexcept;
+  void reset_tools() noexcept;
+  void rotate_normals() noexcept;
+  void update_surface(std::size_t tool) noexcept;
   void watch(const TaskView& view) noexcept;
   void explain_lag() noexcept;
   void explain_failure() noexcept;
@@ -114,8 +115,14 @@ struct MpcController::Impl {
   /// With PlanTiming::Measured: simulated time at which the computation of the previous plan ends
   /// [s].
   double busy_until_ = -std::numeric_limits<double>::infinity();
-  std::optional<Quadric> surface_;
-  double depth_ = 0.0;
+  /// Tool, with the surface that the task last returned.
+  struct Tool {
+    int frame;
+    int base;  ///< Frame of the robot that carries the surface; -1: the world.
+    std::optional<Quadric> surface = {};
+    double depth = 0.0;  ///< Depth by which the surface yields [m].
+  };
+  std::vector<Tool> tools_;
   Prediction prediction_;
   DelayedState ahead_;
   Holding holding_;
@@ -125,9 +132,9 @@ struct MpcController::Impl {
   std::vector<WatchedQuantity> watched_;
   std::size_t task_signals_;       ///< Number of signals of the task.
   std::vector<Reading> readings_;  ///< Present values of the quantities in watched_.
-  int tool_;                       ///< Frame of the tool; -1: none.
-  int base_;                       ///< Frame of the robot that carries the surface; -1: the world.
   Command command_;
+  Eigen::VectorXd target_forces_;  ///< ToolCommand::target_force of each tool [N].
+  std::vector<DelayedState::PredictionTool> predicted_tools_;
   Eigen::VectorXd x_, u_, v_ahead_, decaying_;
   /// First state of the plan (x_plan_), and control that holds the robot at rest (u_plan_).
   Eigen::VectorXd x_plan_, u_plan_;

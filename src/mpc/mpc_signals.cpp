@@ -18,7 +18,12 @@ void MpcController::Impl::each_signal(const See& see) const {
           },
           error.torque_error()[k]);
   if (spec.model_error.kind == ModelErrorKind::Force)
-    see([] { return TraceColumn{"force_error", "N"}; }, error.force_error());
+    for (std::size_t i = 0; i < spec.tools.size(); ++i)
+      see(
+          [&] {
+            return TraceColumn{"force_error_" + spec.tools[i].frame, "N"};
+          },
+          error.force_error()[static_cast<Eigen::Index>(i)]);
   for (std::size_t i = 0; i < grip.supports().size(); ++i)
     if (std::isfinite(grip.supports()[i].friction))
       see(

@@ -17,9 +17,10 @@ bool is_support(const MpcSpec& spec, const std::string& frame) {
 
 std::vector<TouchSensor> touch_sensors(const MpcSpec& spec) {
   std::vector<TouchSensor> result;
-  bool has_tool = spec.tool.empty();
-  for (const TouchSensor& touch : spec.touches) has_tool = has_tool || touch.frame == spec.tool;
-  if (!has_tool) result.push_back({spec.tool});
+  for (const ToolSpec& tool : spec.tools)
+    if (std::none_of(spec.touches.begin(), spec.touches.end(),
+                     [&](const TouchSensor& touch) { return touch.frame == tool.frame; }))
+      result.push_back({tool.frame});
   result.insert(result.end(), spec.touches.begin(), spec.touches.end());
   for (TouchSensor& touch : result)
     if (touch.sensor == WrenchSensor::Automatic)

@@ -12,11 +12,18 @@
 namespace burnish {
 namespace {
 
+/// Returns the index of the tool with the given frame; -1: none.
+int tool_at(const MpcSpec& spec, const std::string& frame) {
+  const auto tool = std::find_if(spec.tools.begin(), spec.tools.end(),
+                                 [&](const ToolSpec& each) { return each.frame == frame; });
+  return tool == spec.tools.end() ? -1 : static_cast<int>(tool - spec.tools.begin());
+}
+
 /// Returns the frames of the columns of MeasurementGate::wrenches().
 std::vector<std::string> measured_frames(const MpcSpec& spec) {
   std::vector<std::string> frames;
   for (const TouchSensor& touch : touch_sensors(spec))
-    if (touch.frame != spec.tool && touch.sensor != WrenchSensor::None)
+    if (tool_at(spec, touch.frame) < 0 && touch.sensor != WrenchSensor::None)
       frames.push_back(touch.frame);
   return frames;
 }
@@ -81,14 +88,17 @@ StageContacts stage_contacts(const MpcSpec& spec) {
   StageContacts result{.all = {},
                        .supports = {},
                        .rotations = {},
-                       .following = contacts_on_surface(spec.problem.contacts),
-                       .with_friction = contacts_with_friction(spec.problem.contacts)};
+                       .tools = {},
+                       .surfaces = tools_of_surfaces(spec),
+                       .frictions = tools_of_friction(spec)};
   const ProblemSpec& problem = spec.problem;
   const auto contains = [](const std::vector<std::string>& names, const std::string& name) {
     return std::find(names.begin(), names.end(), name) != names.end();
   };
-  for (const ContactSpec& contact : problem.contacts)
+  for (const ContactSpec& contact : problem.contacts) {
     result.rotations.push_back(contact.reference.rotation_over_time);
+    result.tools.push_back(tool_at(spec, contact.tool));
+  }
   for (const Stage& stage : problem.stages) {
     RobotState::ActiveContacts &all = result.all.emplace_back(),
                                &supports = result.supports.emplace_back();
@@ -107,20 +117,25 @@ ErrorEstimateSpec error_estimate_spec(const MpcSpec& spec) {
   ErrorEstimateSpec result{.model = problem.model,
                            .options = spec.model_error,
                            .torque_cutoff = {},
-                           .normal_world = spec.normal_base,
-                           .contact_threshold = spec.contact_threshold,
-                           .force_sensor = spec.tool.empty() || wrench_column(spec, spec.tool) >= 0,
+                           .tools = {},
+                           .force_sensor = true,
                            .supports = supports_of(spec),
                            .held = with_loops(problem.model, supports_of(spec)),
                            .measured = measured_frames(spec),
                            .contacts = stage_contacts(spec),
-                           .friction = {},
                            .times = loop_times(spec)};
   if (problem.torque_model) result.torque_cutoff = problem.torque_model->cutoff;
-  if (!result.contacts.with_friction.empty()) {
-    const int contact = result.contacts.with_friction.front();
-    result.friction = spec.friction_estimate;
-    result.planned_speed = problem.contacts[to_size(contact)].friction->fade_speed();
+  for (std::size_t i = 0; i < spec.tools.size(); ++i) {
+    const ToolSpec& tool = spec.tools[i];
+    if (wrench_column(spec, tool.frame) < 0) result.force_sensor = false;
+    result.tools.push_back(
+        {.normal_world = tool.normal_base, .contact_threshold = tool.contact_threshold});
+    const std::vector<int>& frictions = result.contacts.frictions;
+    const auto contact = std::find(frictions.begin(), frictions.end(), static_cast<int>(i));
+    if (contact == frictions.end()) continue;
+    result.tools.back().friction = tool.friction;
+    result.tools.back().planned_speed =
+        problem.contacts[to_size(contact - frictions.begin())].friction->fade_speed();
   }
   return result;
 }
@@ -141,10 +156,11 @@ std::vector<GripSpec> grip_specs(const MpcSpec& spec) {
 
 GateSpec gate_spec(const MpcSpec& spec) {
   const ProblemSpec& problem = spec.problem;
+  std::vector<ToolFrames> tools;
+  for (const ToolSpec& tool : spec.tools) tools.push_back({tool.frame, tool.base});
   return {.model = problem.model,
           .contacts = contacts_at(problem.contacts, problem.start_time),
-          .tool = spec.tool,
-          .surface_frame = spec.base,
+          .tools = std::move(tools),
           .q_start = problem.initial_state.head(problem.model.nq),
           .touches = touch_sensors(spec),
           .limits = spec.limits,

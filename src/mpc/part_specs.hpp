@@ -15,7 +15,7 @@ namespace burnish {
 
 LoopTimes loop_times(const MpcSpec& spec);
 StageContacts stage_contacts(const MpcSpec& spec);
-/// `spec.normal_base` must be a unit vector. It becomes the initial normal in world axes. For a
+/// ToolSpec::normal_base must be a unit vector. It becomes the initial normal in world axes. For a
 /// surface on a frame of the robot, call ErrorEstimate::set_normal() afterwards.
 ErrorEstimateSpec error_estimate_spec(const MpcSpec& spec);
 /// Returns the supports that are in contact in every stage, in the order of supports_of().

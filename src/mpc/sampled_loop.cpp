@@ -55,7 +55,7 @@ SampledLoop::SampledLoop(const SampledLoopSpec& spec, const LoopChain& chain)
   gravity_slope_ = dynamics.da_dq();
   J_ = Eigen::RowVectorXd::Zero(n_);
   if (!spec.presses) return;
-  const ToolMotion tool(body, spec.tool, "");
+  const ToolMotion tool(body, {spec.tool, {}});
   J_ = spec.normal_world.transpose() * tool.jacobian();
 }
 

@@ -214,6 +214,11 @@ struct ClosedLoop::Impl {
   std::vector<Signal> signals_of(const Model& model) const;
   template <class Add>
   void add_tool_signals(std::size_t tool, bool is_of_step, const Add& add) const;
+  std::vector<int> command_entries() const;
+  const ToolCommand& tool_command(std::size_t entry) const noexcept;
+  std::string name_of_tool(std::size_t tool) const;
+  template <class Add>
+  void add_command_signals(bool is_of_step, const Add& add) const;
   template <class Add>
   static void add_plan_signals(const Add& add);
   static std::vector<TraceColumn> columns_of(const std::vector<Signal>& signals);
@@ -410,13 +415,68 @@ void ClosedLoop::Impl::add_plan_signals(const Add& add) {
   add({{"clipped_torques", "-"}}, [](L l) { return l.command.clipped_torques; });
 }
 
+/// Returns the index of each tool's entry in Command::tools; -1: none. If the controller does not
+/// name the scene's first tool, this tool gets the first entry.
+std::vector<int> ClosedLoop::Impl::command_entries() const {
+  const std::vector<std::string> named = controller->tools();
+  std::vector<int> entries;
+  for (const TracedTool& tool : tools) {
+    const std::string& frame = plant->scene().touches[to_size(tool.touch)].frame;
+    const auto at = std::find(named.begin(), named.end(), frame);
+    entries.push_back(at == named.end() ? -1 : static_cast<int>(at - named.begin()));
+  }
+  if (entries.empty())
+    entries = {0};
+  else if (entries.front() < 0)
+    entries.front() = 0;
+  return entries;
+}
+
+/// Returns an entry of Command::tools; zero if the command lacks it.
+const ToolCommand& ClosedLoop::Impl::tool_command(std::size_t entry) const noexcept {
+  static const ToolCommand none;
+  return entry < command.tools.size() ? command.tools[entry] : none;
+}
+
+/// Adds the targets and estimates in Command::tools. The names of the first tool's columns have no
+/// prefix. For a scene without tools, only targets are added.
+template <class Add>
+void ClosedLoop::Impl::add_command_signals(bool is_of_step, const Add& add) const {
+  const std::vector<int> entries = command_entries();
+  for (std::size_t tool = 0; tool < entries.size(); ++tool) {
+    if (entries[tool] < 0) continue;
+    const auto name = [&](const char* what) {
+      return tool == 0 ? what : name_of_tool(tool) + "_" + what;
+    };
+    const std::size_t entry = to_size(entries[tool]);
+    using L = const Impl&;
+    if (!is_of_step) {
+      add(axes(name("target"), "m"), [=](L l) { return l.tool_command(entry).p_target_world; });
+      add({{name("target_force"), "N"}}, [=](L l) { return l.tool_command(entry).target_force; });
+    }
+    if (tools.empty()) continue;
+    if (!is_of_step) {
+      add(axes(name("estimated_force"), "N"),
+          [=](L l) { return l.tool_command(entry).force_estimate_world; });
+      continue;
+    }
+    add(axes(name("estimated_normal"), "-"),
+        [=](L l) { return l.tool_command(entry).normal_world; });
+    add({{name("estimated_friction"), "-"}}, [=](L l) { return l.tool_command(entry).friction; });
+  }
+}
+
+/// Returns the start of the names of a tool's columns.
+std::string ClosedLoop::Impl::name_of_tool(std::size_t tool) const {
+  return tool == 0 ? "tool" : "tool_" + plant->scene().touches[to_size(tools[tool].touch)].frame;
+}
+
 /// Adds the signals of a tool. Columns of the first tool begin with "tool" or name no tool. All
 /// columns of further tools begin with "tool_<frame>".
 template <class Add>
 void ClosedLoop::Impl::add_tool_signals(std::size_t tool, bool is_of_step, const Add& add) const {
   using L = const Impl&;
-  const std::string& frame = plant->scene().touches[to_size(tools[tool].touch)].frame;
-  const std::string own = tool == 0 ? "tool" : "tool_" + frame;
+  const std::string own = name_of_tool(tool);
   const auto name = [&](const char* what) { return tool == 0 ? what : own + "_" + what; };
   if (!is_of_step) {
     add(axes(own, "m"), [=](L l) { return l.tools[tool].p_world; });
@@ -460,9 +520,6 @@ std::vector<ClosedLoop::Impl::Signal> ClosedLoop::Impl::signals_of(const Model& 
     const auto put = [get](const Impl& loop, Row& row) { row.put(get(loop)); };
     result.push_back({std::move(columns), put, is_of_step});
   };
-  const auto of_tool = [&](const std::vector<TraceColumn>& columns, const auto& get) {
-    if (!tools.empty()) add(columns, get);
-  };
   const auto speeds = [&](const char* of) { return entries_of_v(model, of, "rad/s", "m/s"); };
   const auto torques = [&](const char* of) { return entries_of_v(model, of, "Nm", "N"); };
   using L = const Impl&;
@@ -470,9 +527,7 @@ std::vector<ClosedLoop::Impl::Signal> ClosedLoop::Impl::signals_of(const Model& 
   add({{"phase", "-"}}, [](L l) { return l.command.phase; });
   add({{"status", "-"}}, [](L l) { return l.command.status; });
   for (std::size_t i = 0; i < tools.size(); ++i) add_tool_signals(i, is_of_step, add);
-  add(axes("target", "m"), [](L l) { return l.command.p_target_world; });
-  add({{"target_force", "N"}}, [](L l) { return l.command.target_force; });
-  of_tool(axes("estimated_force", "N"), [](L l) { return l.command.force_estimate_world; });
+  add_command_signals(is_of_step, add);
   add(axes("push", "N"), [](L l) { return l.sum_of_pushes(); });
   add(
       entries_of_q(model, "q_"), [](L l) -> const auto& { return l.plant->q(); });
@@ -492,8 +547,7 @@ std::vector<ClosedLoop::Impl::Signal> ClosedLoop::Impl::signals_of(const Model& 
   add(
       torques("tau_friction_"), [](L l) -> const auto& { return l.plant->friction_torque(); });
   for (std::size_t i = 0; i < tools.size(); ++i) add_tool_signals(i, is_of_step, add);
-  of_tool(axes("estimated_normal", "-"), [](L l) { return l.command.normal_world; });
-  of_tool({{"estimated_friction", "-"}}, [](L l) { return l.command.friction; });
+  add_command_signals(is_of_step, add);
   add({{"plant_status", "-"}}, [](L l) { return l.step_status; });
   add({{"limited_joints", "-"}}, [](L l) { return l.actuation.step().limited; });
   add({{"held_command", "-"}}, [](L l) { return l.actuation.step().held; });

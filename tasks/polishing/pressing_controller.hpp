@@ -40,7 +40,7 @@ class PressingController {
   static MpcSpec spec(const ProblemSpec& problem, const std::string& tool,
                       const DdpOptions& threads) {
     MpcSpec result{.problem = problem};
-    result.tool = tool;
+    result.tools = {{.frame = tool}};
     result.schedule = {{.stage = "press"}};
     result.task = PressingTask{.touch = {Touch::Wanted},
                                .target = [](double) { return TaskTarget{.force = force}; }};

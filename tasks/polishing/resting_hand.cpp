@@ -106,8 +106,8 @@ class WatchedRest final : public MpcTask {
     force_ += -std::expm1(-view.dt / window) * (force_world.dot(rest_.normal_world) - force_);
     return task_->sense(view);
   }
-  const Quadric* surface() const noexcept override { return task_->surface(); }
-  double surface_depth() const noexcept override { return task_->surface_depth(); }
+  const Quadric* surface(int tool) const noexcept override { return task_->surface(tool); }
+  double surface_depth(int tool) const noexcept override { return task_->surface_depth(tool); }
   void set_inputs(Problem& problem) noexcept override { task_->set_inputs(problem); }
   void watch(const TaskView& view, std::span<Reading> out) noexcept override {
     task_->watch(view, out.first(of_task_));

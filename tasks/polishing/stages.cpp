@@ -317,8 +317,12 @@ PressingTask pressing_task(const Task& task, const Setting& setting,
 
 namespace {
 /// Sets all options of the controller that do not depend on the target.
-void set_controller(const Task& task, const Model& model, MpcSpec& mpc) {
-  mpc.contact_threshold = task.contact_threshold;
+void set_controller(const Task& task, const Setting& setting, MpcSpec& mpc) {
+  mpc.tools = {{.frame = task.tool,
+                .base = task.surface_frame,
+                .normal_base = setting.scene.tool().surface.normal,
+                .contact_threshold = task.contact_threshold,
+                .friction = task.friction_estimate}};
   mpc.tick_period = 1.0 / task.tick_rate;
   mpc.update_period = 1.0 / task.update_rate;
   mpc.timing = task.timing;
@@ -328,10 +332,9 @@ void set_controller(const Task& task, const Model& model, MpcSpec& mpc) {
   mpc.slowdown = task.slowdown;
   mpc.solver.update = task.solver;
   mpc.solver.max_iterations = task.iterations;
-  mpc.torque_limit = pressing::torque_limit(model, task.constraints);
+  mpc.torque_limit = pressing::torque_limit(setting.robot.model, task.constraints);
   mpc.model_error = task.model_error;
-  mpc.friction_estimate = task.friction_estimate;
-  mpc.touches = {{mpc.tool, task.force_sensor ? WrenchSensor::Force : WrenchSensor::None}};
+  mpc.touches = {{task.tool, task.force_sensor ? WrenchSensor::Force : WrenchSensor::None}};
   mpc.limits = task.limits;
   mpc.fallback = task.fallback;
   mpc.feedback = task.feedback;
@@ -388,11 +391,8 @@ MpcSpec make_mpc(const Task& task, const Setting& setting) {
       {.stage = "press", .duration = task.polish_duration},
       {.stage = "retreat"}};
   for (std::size_t i = 0; i < mpc.schedule.size(); ++i) mpc.schedule[i].name = phase_names()[i];
-  mpc.tool = task.tool;
-  mpc.base = task.surface_frame;
-  mpc.normal_base = setting.scene.tool().surface.normal;
   mpc.task = pressing_task(task, setting, path);
-  set_controller(task, model, mpc);
+  set_controller(task, setting, mpc);
   pressing::set_standing(task.standing, mpc);
   set_resting(task, mpc);
   return mpc;

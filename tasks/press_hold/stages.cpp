@@ -23,7 +23,7 @@ class Holding final : public MpcTask {
   Holding(std::unique_ptr<MpcTask> pressing, const MpcSpec& spec, const Task& task,
           const Setting& setting)
       : pressing_(std::move(pressing)),
-        tool_(RigidBody(spec.problem.model).frame(spec.tool)),
+        tool_(RigidBody(spec.problem.model).frame(spec.tools.front().frame)),
         tangents_(setting.surface_axes.leftCols<2>()),
         p_hold_(setting.p_hold),
         limit_(task.slip) {}
@@ -291,9 +291,9 @@ MpcSpec make_mpc(const Task& task, const Setting& setting) {
   mpc.task = [pressing, task, setting](const MpcSpec& spec) -> std::unique_ptr<MpcTask> {
     return std::make_unique<Holding>(pressing(spec), spec, task, setting);
   };
-  mpc.tool = task.tool;
-  mpc.normal_base = setting.scene.tool().surface.normal;
-  mpc.contact_threshold = task.contact_threshold;
+  mpc.tools = {{.frame = task.tool,
+                .normal_base = setting.scene.tool().surface.normal,
+                .contact_threshold = task.contact_threshold}};
   mpc.tick_period = mpc.update_period = 1.0 / task.tick_rate;
   mpc.command_delay = task.command_delay;
   mpc.measurement_delay = task.measurement_delay;

@@ -48,7 +48,7 @@ class HomeController final : public ControllerWrapper {
         M_(Eigen::MatrixXd::Zero(model.nv, model.nv)) {
     for (std::size_t i = 0; i + 1 < move.corners.size(); ++i)
       displacements_.push_back(difference(model, move.corners[i], move.corners[i + 1]));
-    command_.normal_world = normal_world.normalized();
+    command_.tools.front().normal_world = normal_world.normalized();
     command_.phase = number_of(Phase::Home);
     command_.tau = zero_;
     reset();
@@ -100,7 +100,7 @@ class HomeController final : public ControllerWrapper {
     step_ = at.s * displacement;
     integrate_configuration(tree_, move_.corners[leg].data(), step_.data(), q_.data());
     if (is_usable(body_.update(q_, zero_)))
-      command_.p_target_world = body_.placement(tool_).translation();
+      command_.tools.front().p_target_world = body_.placement(tool_).translation();
     difference_configuration(tree_, measurement.q.data(), q_.data(), error_.data());
     const double dt = measurement.time - before_;
     for (int i = 0; i < tree_.nv; ++i) {

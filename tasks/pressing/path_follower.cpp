@@ -50,12 +50,13 @@ void PathFollower::reset(Command& command) noexcept {
   phase_ = Phase::Approach;
   command.tau.setZero();
   command.phase = number_of(phase_);
-  command.normal_world = normal_;
+  command.tools.front().normal_world = normal_;
   command.status = Status::Ok;
 }
 
 TaskPoint PathFollower::update(const Eigen::Vector3d& force_world, Command& command) noexcept {
-  measured_ = force_world.dot(command.normal_world);
+  ToolCommand& tool = command.tools.front();
+  measured_ = force_world.dot(tool.normal_world);
   const Phase before = phase_;
   touch_.add(measured_, phase_ == Phase::Approach);
   touched_ = phase_ == Phase::Approach && touch_.touches();
@@ -73,10 +74,10 @@ TaskPoint PathFollower::update(const Eigen::Vector3d& force_world, Command& comm
   }
   if (phase_ != Phase::Track) target.v_world.setZero(), target.a_world.setZero();
   if (target.normal_world.isZero(0.0)) target.normal_world = normal_;
-  command.target_force = target.force;
-  command.normal_world = target.normal_world;
-  command.p_target_world = target.p_world;
-  command.force_estimate_world = force_world;
+  tool.target_force = target.force;
+  tool.normal_world = target.normal_world;
+  tool.p_target_world = target.p_world;
+  tool.force_estimate_world = force_world;
   target_ = target;
   return target;
 }

@@ -45,13 +45,16 @@ class Pressing final : public MpcTask {
       : touch_(task.touch),
         target_(task.target),
         limits_(task.limits),
-        normal_world_(spec.normal_base),
-        normal_at_first_(spec.normal_base),
-        tool_(RigidBody(spec.problem.model).frame(spec.tool)),
-        base_(spec.base.empty() ? -1 : RigidBody(spec.problem.model).frame(spec.base)),
-        detector_(spec.contact_threshold, pressing::samples_of(touch_window, spec.tick_period)),
+        normal_world_(spec.tools.front().normal_base),
+        normal_at_first_(normal_world_),
+        tool_(RigidBody(spec.problem.model).frame(spec.tools.front().frame)),
+        base_(spec.tools.front().base.empty()
+                  ? -1
+                  : RigidBody(spec.problem.model).frame(spec.tools.front().base)),
+        detector_(spec.tools.front().contact_threshold,
+                  pressing::samples_of(touch_window, spec.tick_period)),
         mean_(pressing::samples_of(task.limits.force_window, spec.tick_period)),
-        free_space_(task.limits, spec.contact_threshold),
+        free_space_(task.limits, spec.tools.front().contact_threshold),
         approach_(task.limits),
         loss_(task.limits) {
     if (task.surface) surface_.emplace(estimator_of(*task.surface, spec.tick_period));
@@ -81,18 +84,18 @@ class Pressing final : public MpcTask {
     time_ = 0.0;
   }
 
-  const Quadric* surface() const noexcept override {
+  const Quadric* surface(int /*tool*/) const noexcept override {
     return surface_ ? &surface_->surface() : nullptr;
   }
 
-  double surface_depth() const noexcept override { return depth_; }
+  double surface_depth(int /*tool*/) const noexcept override { return depth_; }
 
   void set_inputs(Problem& problem) noexcept override {
     if (time_input_ >= 0) (void)problem.set_input(time_input_, time_);
   }
 
   unsigned sense(const TaskView& view) noexcept override {
-    const Eigen::Vector3d& force = view.tool_force_world;
+    const Eigen::Vector3d force = view.tool_forces_world.col(0);
     if (base_ >= 0) {
       base_world_ = view.body.placement(base_);
       normal_world_ = base_world_.linear() * (surface_ ? surface_->normal() : normal_at_first_);
@@ -109,9 +112,8 @@ class Pressing final : public MpcTask {
                        force.dot(normal_world_), slides);
       normal_world_ = base_world_.linear() * surface_->normal();
       constexpr double max_depth = 0.02;  // largest indentation [m], chosen by hand
-      depth_ = slides
-                   ? std::clamp(surface_->compliance() * view.command.target_force, 0.0, max_depth)
-                   : 0.0;
+      depth_ =
+          slides ? std::clamp(surface_->compliance() * target_force(view), 0.0, max_depth) : 0.0;
     }
     return detector_.touches() ? 1U : 0U;
   }
@@ -127,8 +129,8 @@ class Pressing final : public MpcTask {
     out[2] = approach_.travel();
     out[3] = approach_.lateness();
     out[4] = {mean_.value().norm(), limits_.force};
-    out[5] = loss_.look(phase == Touch::Wanted && detector_.is_lost(view.command.target_force),
-                        view.dt, detector_.felt());
+    out[5] = loss_.look(phase == Touch::Wanted && detector_.is_lost(target_force(view)), view.dt,
+                        detector_.felt());
   }
 
   void explain(std::size_t quantity, std::span<char> clause) const noexcept override {
@@ -141,13 +143,18 @@ class Pressing final : public MpcTask {
   void aim(double time, Command& command) override {
     const TaskTarget target = target_(time);
     time_ = time;
-    command.target_force = target.force;
+    ToolCommand& tool = command.tools.front();
+    tool.target_force = target.force;
     Eigen::Vector3d p = target.p_world;
     if (surface_ && target.force > 0.0) put_on_surface(p);
-    command.p_target_world = base_ < 0 ? p : base_world_ * p;
+    tool.p_target_world = base_ < 0 ? p : base_world_ * p;
   }
 
  private:
+  static double target_force(const TaskView& view) noexcept {
+    return view.command.tools.front().target_force;
+  }
+
   /// Moves a point onto the estimated surface, in the direction of the normal at the start of the
   /// path.
   void put_on_surface(Eigen::Vector3d& p) const noexcept {
@@ -189,8 +196,9 @@ std::unique_ptr<MpcTask> PressingTask::operator()(const MpcSpec& spec) const {
     throw Error("pressing task: touch has " + std::to_string(touch.size()) + " entries; wanted " +
                 std::to_string(spec.schedule.size()) + ", one for each of the " +
                 std::to_string(spec.schedule.size()) + " phases of the schedule");
-  if (spec.tool.empty())
-    throw Error("pressing task: MpcSpec.tool is empty; wanted the frame of the tool that presses");
+  if (spec.tools.size() != 1)
+    throw Error("pressing task: MpcSpec.tools has " + std::to_string(spec.tools.size()) +
+                " entries; wanted one, the tool that presses");
   if (!target) throw Error("pressing task: target is empty; wanted a function of time");
   check_tool_limits(limits);
   return std::make_unique<Pressing>(*this, spec);

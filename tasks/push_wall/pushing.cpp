@@ -205,8 +205,9 @@ void Pushing::explain(std::size_t quantity, std::span<char> clause) const noexce
 }
 
 void Pushing::aim(double time, Command& command) {
-  command.p_target_world = setting_.p_hands.col(1);
-  command.target_force = force_at(task_, setting_, *search_, time);
+  ToolCommand& targets = command.tools.front();
+  targets.p_target_world = setting_.p_hands.col(1);
+  targets.target_force = force_at(task_, setting_, *search_, time);
 }
 
 }  // namespace burnish::push_wall

@@ -371,7 +371,6 @@ MpcSpec make_mpc(const Task& task, const Setting& setting, Shared force_search) 
   mpc.task = [task, setting, force_search](const MpcSpec& spec) -> std::unique_ptr<MpcTask> {
     return std::make_unique<Pushing>(spec, task, setting, force_search);
   };
-  mpc.tool.clear();
   mpc.tick_period = 1.0 / task.tick_rate;
   mpc.update_period = 1.0 / task.update_rate;
   mpc.solver_delay = task.solver_delay;

@@ -204,7 +204,6 @@ MpcSpec make_mpc(const Task& task, const Setting& setting) {
     return std::make_unique<Swaying>(spec, task, setting);
   };
   pressing::set_standing(setting.standing, mpc);
-  mpc.tool.clear();
   mpc.tick_period = 1.0 / task.tick_rate;
   mpc.update_period = 1.0 / task.update_rate;
   mpc.solver_delay = task.solver_delay;

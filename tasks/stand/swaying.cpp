@@ -98,7 +98,8 @@ void Swaying::watch(const TaskView& view, std::span<Reading> out) noexcept {
 /// Sets the recorded target: the position that the base would have if it moved with the centre of
 /// mass.
 void Swaying::aim(double time, Command& command) {
-  command.p_target_world = setting_.p_base + trunk_at(task_, setting_, time).com - setting_.com;
+  command.tools.front().p_target_world =
+      setting_.p_base + trunk_at(task_, setting_, time).com - setting_.com;
 }
 
 }  // namespace burnish::stand

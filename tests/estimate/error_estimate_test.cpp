@@ -20,11 +20,13 @@ ErrorEstimate estimate_of(const MpcSpec& spec) {
 
 void update(ErrorEstimate& estimate, MeasurementGate& gate, double target,
             const Eigen::VectorXd& acted, int stage) {
+  const Eigen::VectorXd targets =
+      Eigen::VectorXd::Constant(gate.tool_forces_world().cols(), target);
   estimate.update(gate.state(), {.measurement = gate.last(),
-                                 .tool_force_world = gate.tool_force_world(),
+                                 .tool_forces_world = gate.tool_forces_world(),
                                  .wrenches = gate.wrenches(),
                                  .dt = gate.dt(),
-                                 .target_force = target,
+                                 .target_forces = targets,
                                  .sent = acted,
                                  .stage = stage,
                                  .schedule_time = gate.now(),
@@ -81,9 +83,9 @@ TEST(ErrorEstimate, UnexplainedTorque_IsTheTorqueError) {
   arm.press({0.0, 0.0, 20.0});
   arm.rest(estimate, arm.against(arm.pressed) - missing, 20.0);
   EXPECT_LT((estimate.torque_error() - missing).norm(), 1e-3);
-  EXPECT_EQ(estimate.force_error(), 0.0);
+  EXPECT_EQ(estimate.force_error()[0], 0.0);
   estimate.reset();
-  EXPECT_TRUE(estimate.torque_error().isZero(0.0) && estimate.force_world().isZero(0.0));
+  EXPECT_TRUE(estimate.torque_error().isZero(0.0) && estimate.forces_world().isZero(0.0));
 }
 
 TEST(ErrorEstimate, ForceDeviation_IsFedBackUpToItsLimit) {
@@ -119,7 +121,7 @@ TEST(ErrorEstimate, FrictionTorque_ScalesWithTheTargetForce) {
     EXPECT_LT((estimate.torque_error() - target / 20.0 * friction).norm(), 1e-3) << target;
   }
   // Below the contact threshold, the estimator assumes no contact.
-  arm.spec.contact_threshold = 21.0;
+  arm.spec.tools[0].contact_threshold = 21.0;
   ErrorEstimate estimate = estimate_of(arm.spec);
   arm.rest(estimate, tau, 40.0);
   EXPECT_LT(estimate.torque_error().norm(), 1e-3);
@@ -171,13 +173,13 @@ TEST(ErrorEstimate, UnpredictedForce_IsTheForceError) {
   arm.press({0.0, 0.0, 26.0});
   ErrorEstimate estimate = estimate_of(arm.spec);
   arm.rest(estimate, tau, 20.0);
-  EXPECT_NEAR(estimate.force_error(), 6.0, 1e-3);
-  EXPECT_NEAR(estimate.force_world().z(), 20.0, 1e-3);
+  EXPECT_NEAR(estimate.force_error()[0], 6.0, 1e-3);
+  EXPECT_NEAR(estimate.forces_world()(2, 0), 20.0, 1e-3);
   EXPECT_TRUE(estimate.torque_error().isZero(0.0));
   // In a stage without contact the force error is zero.
   arm.rest(estimate, tau, 20.0, 1);
-  EXPECT_NEAR(estimate.force_error(), 0.0, 1e-3);
-  EXPECT_TRUE(estimate.force_world().isZero(0.0));
+  EXPECT_NEAR(estimate.force_error()[0], 0.0, 1e-3);
+  EXPECT_TRUE(estimate.forces_world().isZero(0.0));
 }
 
 }  // namespace

@@ -4,6 +4,7 @@
 
 #include <gtest/gtest.h>
 
+#include <array>
 #include <cmath>
 
 #include "burnish/mpc/mpc.hpp"
@@ -26,8 +27,8 @@ class DelayCompensation : public ::testing::Test {
     spec.measurement_delay = measurement;
     spec.limits.stale = 0.02;
     gate.emplace(gate_spec(spec));
-    ahead.emplace(spec.problem, loop_times(spec), spec.limits.stale);
-    dynamics.emplace(stage_contacts(spec));
+    ahead.emplace(spec.problem, loop_times(spec), spec.limits.stale, 1);
+    dynamics.emplace(stage_contacts(spec), 1);
   }
   Eigen::VectorXd tau_at(int tick) const {
     const Eigen::VectorXd rest = Eigen::VectorXd::Constant(7, 1.0);
@@ -67,14 +68,13 @@ class DelayCompensation : public ::testing::Test {
     Eigen::VectorXd x(14);
     x << gate->last().q, gate->last().v;
     const AllocationGuard guard;
-    EXPECT_TRUE(ahead->predict(*dynamics, *gate,
-                               {.stage = 0,
-                                .schedule_time = 0.0,
-                                .touches = false,
-                                .torque_error = none,
-                                .has_friction = false,
-                                .normal_world = Eigen::Vector3d::UnitZ()},
-                               x));
+    EXPECT_TRUE(ahead->predict(
+        *dynamics, *gate,
+        {.stage = 0,
+         .schedule_time = 0.0,
+         .torque_error = none,
+         .tools = std::array{DelayedState::PredictionTool{2.0, false, Eigen::Vector3d::UnitZ()}}},
+        x));
     if (AllocationGuard::unavailable() == nullptr) {
       EXPECT_EQ(guard.count(), 0);
     }

@@ -72,7 +72,7 @@ class FedController {
     spec.problem.initial_state = Eigen::VectorXd::Zero(model.nq + model.nv);
     spec.problem.initial_state.head(model.nq) = model.q_neutral;
     spec.schedule = {{.stage = "air"}};
-    spec.tool = robot.tool;
+    spec.tools = {{.frame = robot.tool}};
     spec.tick_period = 1e-3;
     spec.fallback = fallback;
     return spec;

@@ -150,19 +150,19 @@ TEST(Horizon, RotatingReference_TurnsWithTheScheduleTime) {
 }
 
 TEST(ContactForceEstimate, RotatingReference_TurnsTheForce) {
-  ContactForceEstimate estimate(stage_contacts(turning_surface()));
+  ContactForceEstimate estimate(stage_contacts(turning_surface()), 1);
   MeasurementGate gate(gate_spec(turning_surface()));
   const Eigen::VectorXd q = turning_surface().problem.initial_state.head(7);
   const Eigen::VectorXd rest = Eigen::VectorXd::Zero(7);
   ASSERT_EQ(gate.state().update(q, rest), Status::Ok);
-  Eigen::Vector3d first, force, wanted;
-  ASSERT_TRUE(estimate.force_at(gate.state(), 0, 0.0, rest, first));
+  Eigen::Matrix3Xd first(3, 1), force(3, 1), wanted(3, 1);
+  ASSERT_TRUE(estimate.forces_at(gate.state(), 0, 0.0, rest, first));
   for (const double time : {0.2, 0.6}) {
-    ContactForceEstimate frozen(stage_contacts(turning_surface(time)));
+    ContactForceEstimate frozen(stage_contacts(turning_surface(time)), 1);
     MeasurementGate frozen_gate(gate_spec(turning_surface(time)));
     ASSERT_EQ(frozen_gate.state().update(q, rest), Status::Ok);
-    ASSERT_TRUE(frozen.force_at(frozen_gate.state(), 0, 0.0, rest, wanted));
-    ASSERT_TRUE(estimate.force_at(gate.state(), 0, time, rest, force));
+    ASSERT_TRUE(frozen.forces_at(frozen_gate.state(), 0, 0.0, rest, wanted));
+    ASSERT_TRUE(estimate.forces_at(gate.state(), 0, time, rest, force));
     EXPECT_LT((force - wanted).norm(), 1e-9 * wanted.norm()) << time;
     EXPECT_GT((force - first).norm(), 0.1 * wanted.norm()) << time;
   }
@@ -175,14 +175,14 @@ TEST(ContactForceEstimate, ReferenceWithoutRotation_GivesNoForce) {
         if (t > 2.0) throw Error("no more");
         xyzw << 0.0, 0.0, 0.0, t < 1.0 ? 1.0 : 0.0;
       });
-  ContactForceEstimate estimate(stage_contacts(spec));
+  ContactForceEstimate estimate(stage_contacts(spec), 1);
   MeasurementGate gate(gate_spec(spec));
   const Eigen::VectorXd q = spec.problem.initial_state.head(7), rest = Eigen::VectorXd::Zero(7);
   ASSERT_EQ(gate.state().update(q, rest), Status::Ok);
-  Eigen::Vector3d force;
-  EXPECT_TRUE(estimate.force_at(gate.state(), 0, 0.5, rest, force));
+  Eigen::Matrix3Xd force(3, 1);
+  EXPECT_TRUE(estimate.forces_at(gate.state(), 0, 0.5, rest, force));
   for (const double time : {1.5, 2.5}) {
-    EXPECT_FALSE(estimate.force_at(gate.state(), 0, time, rest, force)) << time;
+    EXPECT_FALSE(estimate.forces_at(gate.state(), 0, time, rest, force)) << time;
     EXPECT_TRUE(force.isZero(0.0));
   }
 }
@@ -433,7 +433,7 @@ TEST(PlanWatch, ConsecutiveFailedOrLateSolves_AreAFault) {
 TEST(BlackBox, Fault_FreezesTheLastSecond) {
   const MpcSpec spec = toy_spec();
   FaultLatch latch;
-  BlackBox box(spec.problem.model, spec.tick_period, latch);
+  BlackBox box(spec.problem.model, spec.tools, spec.tick_period, latch);
   Command command{Eigen::VectorXd::Constant(7, 2.0)};
   Measurement m = toy_measurement(spec);
   MeasurementGate gate(gate_spec(spec));

@@ -16,7 +16,7 @@ MpcSpec pressing_toy(const residual::ContactForce& force) {
   touch.reference = Reference::on(Quadric::plane(Eigen::Vector3d::Zero(), Eigen::Vector3d::UnitZ()),
                                   Eigen::Vector3d::Zero());
   touch.friction = SlidingFriction{0.2, 0.1};
-  spec.friction_estimate.coefficient = 0.2;
+  spec.tools[0].friction.coefficient = 0.2;
   spec.problem.contacts = {touch};
   for (Stage& stage : spec.problem.stages) {
     stage.contacts = {"touch"};
@@ -32,13 +32,38 @@ TEST(PlanInputs, UndeclaredInputs_AreAddedAndNamed) {
   spec.model_error.kind = ModelErrorKind::Force;
   const MpcSpec made = completed(spec);
   const Problem problem(made.problem);
-  for (const char* name : {"surface", "tool_friction", "force_error"})
+  for (const char* name : {"tool/surface", "tool/friction", "tool/force_error"})
     EXPECT_GE(problem.input_index(name), 0) << name;
-  EXPECT_EQ(made.problem.contacts[0].surface_input, "surface");
-  EXPECT_EQ(made.problem.contacts[0].friction->coefficient_input, "tool_friction");
-  EXPECT_EQ(force_of(made).offset_input, "force_error");
-  EXPECT_EQ(contacts_on_surface(made.problem.contacts), std::vector<int>{0});
-  EXPECT_EQ(contacts_with_friction(made.problem.contacts), std::vector<int>{0});
+  EXPECT_EQ(made.problem.contacts[0].surface_input, "tool/surface");
+  EXPECT_EQ(made.problem.contacts[0].friction->coefficient_input, "tool/friction");
+  EXPECT_EQ(force_of(made).offset_input, "tool/force_error");
+  EXPECT_EQ(tools_of_surfaces(made), std::vector<int>{0});
+  EXPECT_EQ(tools_of_friction(made), std::vector<int>{0});
+}
+
+TEST(PlanInputs, SeveralTools_HaveInputsOfTheirOwn) {
+  MpcSpec spec = pressing_toy({"touch", {}, 5.0});
+  spec.model_error.kind = ModelErrorKind::Force;
+  spec.tools.insert(spec.tools.begin(), {.frame = "elbow"});
+  spec.tools[0].friction.coefficient = 0.7;
+  spec.problem.model.frames.push_back(spec.problem.model.frames.back());
+  spec.problem.model.frames.back().name = "elbow";
+  ContactSpec pad{.name = "pad", .tool = "elbow", .directions = Directions::z()};
+  pad.friction = SlidingFriction{0.7, 0.1};
+  spec.problem.contacts.push_back(pad);
+  spec.problem.stages[0].costs.push_back(
+      {.name = "pad", .residual = residual::ContactForce{"pad", {}, 3.0}});
+  const MpcSpec made = completed(spec);
+  EXPECT_EQ(tools_of_surfaces(made), (std::vector<int>{1, -1})) << "the pad's surface is plane";
+  EXPECT_EQ(tools_of_friction(made), (std::vector<int>{1, 0}));
+  const std::vector<CostTerm>& costs = made.problem.stages[0].costs;
+  EXPECT_EQ(costs[costs.size() - 2].offset_input, "tool/force_error");
+  EXPECT_EQ(costs.back().offset_input, "elbow/force_error");
+  Problem problem(made.problem);
+  EXPECT_EQ(problem.input_at(problem.input_index("elbow/friction"), 0)[0], 0.7);
+  PlanInputs(made).set_friction(problem, 0, 0.4);
+  EXPECT_EQ(problem.input_at(problem.input_index("elbow/friction"), 0)[0], 0.4);
+  EXPECT_EQ(problem.input_at(problem.input_index("tool/friction"), 0)[0], 0.2);
 }
 
 TEST(PlanInputs, ForceErrorOfThePlan_LowersTheTarget) {
@@ -50,7 +75,7 @@ TEST(PlanInputs, ForceErrorOfThePlan_LowersTheTarget) {
   const Eigen::VectorXd x = made.problem.initial_state;
   const Eigen::VectorXd u = Eigen::VectorXd::Zero(problem.layout().nu);
   const double before = problem.residual(0, term, x, u)[0];
-  PlanInputs(made).set_force_error(problem, 1.5);
+  PlanInputs(made).set_force_error(problem, 0, 1.5);
   EXPECT_NEAR(problem.residual(0, term, x, u)[0], before + 1.5, 1e-12);
 }
 
@@ -67,7 +92,7 @@ TEST(PlanInputs, DeclaredInput_IsUsedAsTheSpecificationSays) {
   MpcSpec spec = pressing_toy({"touch", {}, 5.0});
   spec.model_error.kind = ModelErrorKind::Torque;
   const Eigen::VectorXd none = Eigen::VectorXd::Zero(spec.problem.model.nv);
-  spec.problem.inputs = {{.name = "surface", .kind = InputKind::Surface},
+  spec.problem.inputs = {{.name = "tool/surface", .kind = InputKind::Surface},
                          {.name = "bias", .kind = InputKind::Vector, .value = none}};
   spec.problem.torque_bias_input = "bias";
   const MpcSpec made = completed(spec);
@@ -82,11 +107,11 @@ TEST(PlanInputs, DeclaredInput_IsUsedAsTheSpecificationSays) {
 TEST(PlanInputs, InputsThatCannotWork_AreRefused) {
   MpcSpec spec = pressing_toy({"touch", {}, 5.0});
   spec.model_error.kind = ModelErrorKind::Torque;
-  spec.problem.inputs = {{.name = "surface"}};
+  spec.problem.inputs = {{.name = "tool/surface"}};
   const auto refused = [&](const std::vector<std::string>& words) {
     testing::expect_words(testing::refusal([&] { (void)completed(spec); }), words);
   };
-  refused({"input 'surface'", "another kind"});
+  refused({"input 'tool/surface'", "another kind"});
   const Eigen::VectorXd none = Eigen::VectorXd::Zero(spec.problem.model.nv);
   spec.problem.inputs = {{.name = "torque_error", .kind = InputKind::Vector, .value = none}};
   refused({"'torque_error'", "torque_bias_input is empty"});

@@ -34,7 +34,6 @@ MpcSpec swaying(const Model& model, const VectorXd& q) {
          .residual = residual::CenterOfPressure{sole, 0.1, 0.05, cone / std::sqrt(2.0)}});
   }
   spec.schedule = {{.name = "stand", .stage = "stand"}};
-  spec.tool.clear();
   spec.supports = soles;
   spec.touches = measured_soles();
   spec.tick_period = tick_period;
@@ -87,7 +86,7 @@ TEST_F(SupportGrip, Touches_AreTheToolAndThenTheStatedOnes) {
   for (const bool tool : {false, true})
     for (const bool sensors : {false, true}) {
       MpcSpec spec = swaying(model, q);
-      spec.tool = tool ? "tool" : "";
+      if (tool) spec.tools = {{.frame = "tool"}};
       if (!sensors) spec.touches.clear();
       Frames expected;
       if (tool) expected.push_back("tool");
@@ -103,7 +102,7 @@ TEST_F(SupportGrip, Touches_AreTheToolAndThenTheStatedOnes) {
 
 TEST_F(SupportGrip, ColumnOfAFrame_IsItsPlaceAmongTheTouchesIfItIsMeasured) {
   MpcSpec spec = swaying(model, q);
-  spec.tool = "tool";
+  spec.tools = {{.frame = "tool"}};
   EXPECT_EQ(wrench_column(spec, "tool"), 0);
   EXPECT_EQ(wrench_column(spec, soles[1]), 2);
   spec.touches = {{soles[0]}, {"tool", WrenchSensor::None}, {soles[1], WrenchSensor::None}};
@@ -115,7 +114,7 @@ TEST_F(SupportGrip, ColumnOfAFrame_IsItsPlaceAmongTheTouchesIfItIsMeasured) {
 
 TEST_F(SupportGrip, AutomaticSensor_MeasuresMomentsOnlyOfSupports) {
   MpcSpec spec = swaying(model, q);
-  spec.tool = "tool";
+  spec.tools = {{.frame = "tool"}};
   spec.touches = {{soles[0]}, {"tool"}, {"left_hand"}};
   const std::vector<TouchSensor> sensors = touch_sensors(spec);
   ASSERT_EQ(sensors.size(), 3U);
@@ -134,6 +133,8 @@ TEST_F(SupportGrip, TouchesThatDoNotFit_AreRefused) {
                         {"touch 'left_sole_lnk'", "'left_sole_link'"});
   testing::expect_words(refused([](MpcSpec& s) { s.touches[1] = s.touches[0]; }),
                         {"two entries", soles[0]});
+  testing::expect_words(refused([](MpcSpec& s) { s.tools = {{.frame = soles[0]}}; }),
+                        {"tool '" + soles[0], "also the frame of support", "a tool or a support"});
   testing::expect_words(refused([](MpcSpec& s) { s.touches[1].sensor = WrenchSensor::Force; }),
                         {soles[1], "no moment", "force and moment"});
   testing::expect_words(refused([](MpcSpec& s) {
@@ -177,7 +178,7 @@ TEST_F(SupportGrip, OneMeasuredFoot_StandsStillAndSlipsAsWithTwo) {
 TEST_F(SupportGrip, ToolBeforeTheFeet_DoesNotChangeTheFriction) {
   const auto friction_of = [&](bool tool) {
     MpcSpec spec = swaying(model, q);
-    spec.tool = tool ? "tool" : "";
+    if (tool) spec.tools = {{.frame = "tool"}};
     spec.limits.torque_gap = infinity;
     MpcController controller(spec);
     Measurement m;

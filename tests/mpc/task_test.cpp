@@ -109,12 +109,12 @@ TEST(MpcTask, Aim_SetsTheTargetsAtTheScheduleTime) {
   ToyController run;
   run.toy->aim = [](double time, Command& command) {
     if (time > 0.01) throw std::runtime_error("no aim");
-    command.target_force = 100.0 * time;
-    command.p_target_world.x() = time;
+    command.tools[0].target_force = 100.0 * time;
+    command.tools[0].p_target_world.x() = time;
   };
   const Command& command = run.tick_to(0.006);
-  EXPECT_DOUBLE_EQ(command.target_force, 0.5);
-  EXPECT_DOUBLE_EQ(command.p_target_world.x(), 0.005);
+  EXPECT_DOUBLE_EQ(command.tools[0].target_force, 0.5);
+  EXPECT_DOUBLE_EQ(command.tools[0].p_target_world.x(), 0.005);
   EXPECT_NE(run.tick_to(0.013).status, Status::Ok);
   EXPECT_EQ(run.mpc->fault().kind, FaultKind::None) << "targets are only recorded";
   EXPECT_THROW(std::rethrow_exception(run.mpc->take_exception()), std::runtime_error);
@@ -149,7 +149,7 @@ TEST(MpcTask, NoTask_RunsTheScheduleByTime) {
   for (int tick = 0; tick < 100; ++tick, m.time = 1e-3 * tick) mpc.tick(m);
   EXPECT_EQ(mpc.fault().kind, FaultKind::None) << mpc.fault().text();
   EXPECT_EQ(mpc.tick(m).phase, 2);
-  EXPECT_EQ(mpc.tick(m).target_force, 0.0);
+  EXPECT_EQ(mpc.tick(m).tools[0].target_force, 0.0);
 }
 
 TEST(MpcPlans, SettleTime_EndsWithTheFirstPlan) {
@@ -216,7 +216,24 @@ TEST(MpcTask, ScheduleWithUnknownEvent_IsRefused) {
   expect_words(with([](MpcSpec& s) { s.task = nullptr; }), {"phase 1", "'bell'"});
   expect_words(with([](MpcSpec& s) { s.task = [](const MpcSpec&) { return nullptr; }; }),
                {"returned no task"});
-  expect_words(with([](MpcSpec& s) { s.contact_threshold = -1.0; }), {"contact_threshold", "-1"});
+}
+
+TEST(MpcSpec, ToolsThatDoNotFit_AreRefused) {
+  const auto with = [](const std::function<void(MpcSpec&)>& change) {
+    return refusal([&] { ToyController{change}; });
+  };
+  expect_words(with([](MpcSpec& s) { s.tools[0].contact_threshold = -1.0; }),
+               {"tool 'tool'", "contact_threshold", "-1"});
+  expect_words(with([](MpcSpec& s) { s.tools[0].base = "tol"; }),
+               {"tool 'tool'", "surface of 'tol'", "did you mean 'tool'"});
+  expect_words(with([](MpcSpec& s) { s.tools.push_back(s.tools[0]); }),
+               {"tools has two entries for frame 'tool'"});
+  expect_words(with([](MpcSpec& s) {
+                 s.model_error.kind = ModelErrorKind::Torque;
+                 s.tools.push_back({.frame = "link_3"});
+                 s.touches = {{"link_3", WrenchSensor::None}};
+               }),
+               {"tool 'link_3' has no force sensor", "each of the 2 tools"});
 }
 
 TEST(MpcSpec, PlansThatNeedThePreviousStep_AreRefused) {

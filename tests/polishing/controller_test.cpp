@@ -182,7 +182,7 @@ TEST(MpcController, NoModelErrorEstimate_ForceErrorRemains) {
   expect_no_fault(run);
   EXPECT_GT(run.metrics().force_mae, 5.0);
   EXPECT_TRUE(run.mpc().torque_error().isZero(0.0));
-  EXPECT_EQ(run.mpc().force_error(), 0.0);
+  EXPECT_EQ(run.mpc().force_error()[0], 0.0);
 }
 
 TEST(MpcController, TorqueErrorEstimate_RemovesTheForceError) {
@@ -203,7 +203,7 @@ TEST(MpcController, ForceErrorEstimate_RemovesTheForceError) {
   ASSERT_EQ(run.polish(), Status::Ok);
   expect_no_fault(run);
   EXPECT_LT(run.metrics().force_mae, 0.1);
-  EXPECT_GT(std::abs(run.mpc().force_error()), 5.0);
+  EXPECT_GT(std::abs(run.mpc().force_error()[0]), 5.0);
   EXPECT_TRUE(run.mpc().torque_error().isZero(0.0));
 }
 
@@ -376,9 +376,9 @@ TEST(MpcController, InvalidSpec_IsRefused) {
   using S = MpcSpec;
   const double nan = std::nan("");
   EXPECT_EQ(with([](S&) {}), "");
-  expect_words(with([](S& s) { s.normal_base.setZero(); }), {"normal"});
-  expect_words(with([&](S& s) { s.normal_base[1] = nan; }), {"normal"});
-  expect_words(with([](S& s) { s.tool = "tolo"; }), {"tolo", "tool"});
+  expect_words(with([](S& s) { s.tools[0].normal_base.setZero(); }), {"normal"});
+  expect_words(with([&](S& s) { s.tools[0].normal_base[1] = nan; }), {"normal"});
+  expect_words(with([](S& s) { s.tools[0].frame = "tolo"; }), {"tolo", "tool"});
   expect_words(with([](S& s) { s.schedule.clear(); }), {"phases"});
   expect_words(with([](S& s) { s.schedule[0].stage = "raech"; }), {"raech", "reach"});
   expect_words(with([](S& s) { s.update_period = 7.3e-4; }), {"multiple", "0.00073", "0.0005"});
@@ -397,7 +397,7 @@ TEST(MpcController, InvalidSpec_IsRefused) {
                {"first_iterations", "is 0; wanted at least 1"});
   expect_words(with([](S& s) { s.fallback.damping = -1.0; }), {"damping", "-1"});
   expect_words(with([](S& s) {
-                 s.touches = {{s.tool, WrenchSensor::None}};
+                 s.touches = {{s.tools[0].frame, WrenchSensor::None}};
                  s.model_error.kind = ModelErrorKind::Force;
                }),
                {"has no force sensor", "model_error.kind torque", "touches"});

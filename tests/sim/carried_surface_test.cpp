@@ -120,7 +120,7 @@ class Aim final : public Controller {
   void reset() noexcept override {}
   const Command& tick(const Measurement& m) noexcept override {
     (void)body_.update(m.q, m.v);
-    command_.p_target_world = body_.placement(plate_) * Eigen::Vector3d(0.01, 0.02, 0.03);
+    command_.tools[0].p_target_world = body_.placement(plate_) * Eigen::Vector3d(0.01, 0.02, 0.03);
     return command_;
   }
 

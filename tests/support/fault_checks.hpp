@@ -54,7 +54,7 @@ inline void expect_fallback(MpcRun& run) {
   const Eigen::ArrayXd spring = Fallback{}.saturation_fraction * effort_of(run).array();
   EXPECT_TRUE(((command.tau - wanted).array().abs() <= spring + 1e-9).all())
       << (command.tau - wanted).transpose();
-  EXPECT_EQ(command.target_force, 0.0);
+  for (const ToolCommand& tool : command.tools) EXPECT_EQ(tool.target_force, 0.0);
   EXPECT_EQ(command.iterations, 0);
   EXPECT_EQ(run.mpc().fault().kind, kind);
   EXPECT_EQ(run.mpc().fault().time, time);

@@ -69,6 +69,7 @@ inline MpcSpec toy_spec(const std::shared_ptr<Toy>& toy = nullptr) {
       {.name = "wave", .stage = "wave"}};
   if (!toy) spec.schedule[1].until.clear();
   if (toy) spec.task = [toy](const MpcSpec&) { return std::make_unique<ToyTask>(toy); };
+  spec.tools = {{.frame = "tool"}};
   spec.tick_period = 1e-3;
   spec.update_period = 5e-3;
   spec.model_error.kind = ModelErrorKind::None;

@@ -16,15 +16,9 @@
 
 namespace burnish {
 
-/// Output of a controller. Only `tau` reaches the plant. The other entries record targets,
-/// estimates and solver results.
+/// Targets and estimates of a controller at one tool.
 /// @described mpc
-struct Command {
-  /// Joint torques to apply, nv entries, zero for a floating base [Nm (N)]
-  Eigen::VectorXd tau;
-  /// Current phase of the task
-  /// @more For an MpcController, this is the index of the phase in the schedule
-  int phase = 0;
+struct ToolCommand {
   /// Target of the normal force of the surface on the tool [N]
   double target_force = 0.0;
   /// Target position of the tip frame's origin, in world axes [m]
@@ -36,6 +30,21 @@ struct Command {
   Eigen::Vector3d force_estimate_world = Eigen::Vector3d::Zero();
   /// Estimated coefficient of friction between tool and surface
   double friction = 0.0;
+};
+
+/// Output of a controller. Only `tau` reaches the plant. The other entries record targets,
+/// estimates and solver results.
+/// @described mpc
+struct Command {
+  /// Joint torques to apply, nv entries, zero for a floating base [Nm (N)]
+  Eigen::VectorXd tau;
+  /// Current phase of the task
+  /// @more For an MpcController, this is the index of the phase in the schedule
+  int phase = 0;
+  /// Targets and estimates at each tool
+  /// @more For an MpcController, in the order of MpcSpec.tools. A controller without a tool has one
+  /// entry, which records the targets of its task
+  std::vector<ToolCommand> tools = std::vector<ToolCommand>(1);
   Status status = Status::Ok;
   /// Wall-clock time of the solve that finished at this tick [s]; 0: no solve finished
   double solve_time = 0.0;
@@ -67,6 +76,9 @@ class Controller {
   /// of the plant's scene. ClosedLoop throws Error if the controller reads a component of a wrench
   /// that the scene does not measure. WrenchSensor::Automatic stands for the measured components.
   virtual std::optional<std::vector<TouchSensor>> touches() const { return std::nullopt; }
+  /// Returns the frames of the tools of Command::tools, in the same order. An empty result stands
+  /// for one entry, which belongs to the first tool of the plant's scene.
+  virtual std::vector<std::string> tools() const { return {}; }
   /// Returns names and units of the values that the controller publishes, such as estimates. A
   /// ClosedLoop calls signals() when it is made, and records each value in a column "signal_<name>"
   /// of its trace. The page of a run plots the signals: of each unit, up to seven with the largest
@@ -108,6 +120,7 @@ class ControllerWrapper : public Controller {
   explicit ControllerWrapper(Controller& inner) : inner_(&inner) {}
   int nv() const override { return inner_->nv(); }
   std::optional<std::vector<TouchSensor>> touches() const override { return inner_->touches(); }
+  std::vector<std::string> tools() const override { return inner_->tools(); }
   std::vector<TraceColumn> signals() const override { return inner_->signals(); }
   void write_signals(std::span<double> values) const noexcept override {
     inner_->write_signals(values);

@@ -31,8 +31,8 @@ class DdpSolver;
 ///
 /// Steps of a tick:
 ///  1. The measurement is checked.
-///  2. The model error is estimated, with the torque commanded at the previous tick. The force at
-///     the tool is estimated from torques, positions and velocities by forward dynamics.
+///  2. The model error is estimated, with the torque commanded at the previous tick. The forces at
+///     the tools are estimated from torques, positions and velocities by forward dynamics.
 ///  3. The schedule's clock advances, with the events that the task detected.
 ///  4. The limits of the controller are checked, then the limits of the task.
 ///  5. When an update is due, the stages and targets of the horizon are set, and the problem is
@@ -69,7 +69,8 @@ class MpcController final : public Controller {
   /// - frames, supports or resting supports that do not exist, and two touches at one frame;
   /// - a support without a sensor that is not in contact in every stage, a support that holds
   ///   rotations and whose sensor measures only force, and a resting support without a sensor;
-  /// - a tool without a force sensor, unless model_error.kind is `torque`;
+  /// - two tools at one frame, and an unknown frame of a tool or of its surface;
+  /// - a tool without a force sensor, unless it is the only tool and model_error.kind is `torque`;
   /// - anything that Problem, DdpSolver or MpcSpec::task rejects.
   explicit MpcController(MpcSpec spec);
   ~MpcController() override;
@@ -77,10 +78,11 @@ class MpcController final : public Controller {
   int nv() const override;
   /// Returns the result of touch_sensors() for the specification.
   std::optional<std::vector<TouchSensor>> touches() const override;
+  std::vector<std::string> tools() const override;
   /// Returns names and units of estimates, followed by the signals of the task. The estimates are
   /// those that change plans and have no entry in Command:
   /// - torque_error(), as `torque_error_<joint>` of actuated joints, with ModelErrorKind::Torque;
-  /// - force_error(), as `force_error`, with ModelErrorKind::Force;
+  /// - force_error(), as `force_error_<tool>`, with ModelErrorKind::Force;
   /// - support_friction(), as `friction_<support>`, for supports with a friction cone.
   std::vector<TraceColumn> signals() const override;
   void write_signals(std::span<double> values) const noexcept override;
@@ -111,12 +113,12 @@ class MpcController final : public Controller {
   /// which the policy is linearized.
   const LinearFeedback& feedback() const;
   /// Returns the estimated torque error, nv entries [Nm, or N]. The torque error is the sum of the
-  /// observer's estimate and the joint torques due to friction along the surface. The friction is
-  /// the estimated ratio of friction to normal force, times the target force.
+  /// observer's estimate and the joint torques due to friction along the surfaces. The friction of
+  /// a tool is the estimated ratio of friction to normal force, times the target force.
   const Eigen::VectorXd& torque_error() const;
-  /// Returns the estimated error of the normal force [N]. This error is estimated only with
-  /// ModelErrorKind::Force.
-  double force_error() const;
+  /// Returns the estimated error of the normal force at each tool [N]. This error is estimated only
+  /// with ModelErrorKind::Force.
+  const Eigen::VectorXd& force_error() const;
   /// Returns the coefficients of friction that plans use for supports (see SlipOptions). Only
   /// supports in contact in every stage have an entry, in the order of ProblemSpec::contacts. If a
   /// support has no friction cone, its entry is infinite.

@@ -100,6 +100,24 @@ enum class PlanTiming {
   Thread,
 };
 
+/// Tool of a controller, which presses on a surface.
+/// @described mpc
+struct ToolSpec {
+  /// Frame of the tool
+  std::string frame = "tool";
+  /// Robot frame that carries the surface, such as a hand that holds a plate; empty: the world
+  /// @more The reaction to the force on the tool acts on this frame
+  std::string base = {};
+  /// Normal of the surface that the tool presses on, in the axes of `base` (world axes if `base` is
+  /// empty)
+  /// @more The normal points towards the robot. Friction acts perpendicular to the normal
+  Eigen::Vector3d normal_base = Eigen::Vector3d::UnitZ();
+  /// Normal force above which the tool counts as in contact [N], >= 0
+  double contact_threshold = 2.0;
+  /// Estimation of the friction coefficient, for contacts with ContactSpec.friction
+  FrictionEstimateOptions friction = {};
+};
+
 /// Specification of a model predictive controller. The controller repeatedly solves an optimal
 /// control problem over a moving horizon from the measured state. Between solves, the controller
 /// applies the feedback policy of the last solution.
@@ -116,18 +134,8 @@ struct MpcSpec {
   std::vector<SchedulePhase> schedule = {};
   /// Function that creates the task, which defines events and monitored quantities; none: no task
   MakeTask task = {};
-  /// Frame of the tool; empty: the robot has no tool
-  std::string tool = "tool";
-  /// Robot frame that carries the surface, such as a hand that holds a plate; empty: the world
-  /// @more The reaction to the force on the tool acts on this frame
-  std::string base = {};
-  /// Normal of the surface that the tool presses on, in the axes of `base` (world axes if `base` is
-  /// empty)
-  /// @more The normal points towards the robot. Friction acts perpendicular to the normal
-  Eigen::Vector3d normal_base = Eigen::Vector3d::UnitZ();
-  /// Normal force above which the tool counts as in contact [N]
-  /// @after touches
-  double contact_threshold = 2.0;
+  /// Tools that press on surfaces; none: the robot has no tool
+  std::vector<ToolSpec> tools = {};
   /// Names of the contacts that the robot stands on or leans against
   /// @more The fallback and the estimators use the supports that are in contact in every stage. A
   /// robot with a floating base needs at least one such support. Supports that are in contact only
@@ -139,10 +147,10 @@ struct MpcSpec {
   /// (`touches`)
   std::vector<std::string> resting_supports = {};
   /// Sensors of tools, feet and hands that the controller reads
-  /// @more Measurement.wrenches has one column per entry, in this order. If the tool has no entry,
-  /// its force has a column before the others. A NaN in a component that the controller reads makes
-  /// the measurement invalid. If the tool's entry states the sensor `none`, the force on the tool
-  /// is estimated from the change of the torque error at contact. This estimate requires that
+  /// @more Measurement.wrenches has one column per entry, in this order. Forces of tools without an
+  /// entry have columns before the others. A NaN in a component that the controller reads makes the
+  /// measurement invalid. If the entry of the only tool states the sensor `none`, the force on the
+  /// tool is estimated from the change of the torque error at contact. This estimate requires that
   /// model_error.kind is `torque`. With a sensor at each support, torque errors are estimated in
   /// all joints, including the joints of supporting legs. If only some supports have sensors, the
   /// others count as rigid contacts. A support whose rotation is free, such as a point foot, needs
@@ -190,8 +198,6 @@ struct MpcSpec {
   /// @more The robot's effort limits always apply. The fallback uses only the effort limits
   Eigen::VectorXd torque_limit = {};
   ModelErrorOptions model_error = {};
-  /// Estimation of the friction coefficient at the tool, for contacts with ContactSpec.friction
-  FrictionEstimateOptions friction_estimate = {};
   SlipOptions slip = {};  ///< Reaction of plans to slipping supports
   SafetyLimits limits = {};
   Fallback fallback = {};
@@ -199,8 +205,8 @@ struct MpcSpec {
   bool feedback = true;
 };
 
-/// Returns the sensors of the columns of Measurement::wrenches. The force sensor of a tool without
-/// an entry comes first, then the entries of MpcSpec::touches follow. WrenchSensor::Automatic is
+/// Returns the sensors of the columns of Measurement::wrenches. The force sensors of tools without
+/// an entry come first, then the entries of MpcSpec::touches follow. WrenchSensor::Automatic is
 /// replaced with the components that it stands for.
 std::vector<TouchSensor> touch_sensors(const MpcSpec& spec);
 /// Returns the frames of touch_sensors(). In a simulation, the scene must have a touch (TouchSpec)

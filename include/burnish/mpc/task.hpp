@@ -97,9 +97,8 @@ struct TaskView {
   const Schedule& schedule;
   const Command& command;  ///< Command of the previous tick, with its targets
   double dt;               ///< Time since the previous valid measurement [s]; 0 at the first one
-  /// Force of the surface on the tool, measured or estimated, in world axes [N]; zero without a
-  /// tool
-  const Eigen::Vector3d& tool_force_world;
+  /// Force of the surface on each tool, measured or estimated, in world axes, 3 x tools [N]
+  const Eigen::Matrix3Xd& tool_forces_world;
 };
 
 /// Quantity that a task monitors. A value beyond its limit is a fault.
@@ -138,19 +137,20 @@ class MpcTask {
   /// every tick with a valid measurement, before the schedule's clock advances. Not called while
   /// the estimators settle (MpcSpec::settle) and after a fault.
   virtual unsigned sense(const TaskView& /*view*/) noexcept { return 0; }
-  /// Returns the estimated surface that the tool touches or approaches. If the result is null,
-  /// plans keep the last surface that was not null. After reset(), plans use the surfaces of the
-  /// specification until a result is not null. Called after sense(). The quadric is a function of
-  /// the tool's position in the frame `MpcSpec::base` (in the world if `base` is empty). The
-  /// function is zero where the tool touches the surface.
+  /// Returns the estimated surface that a tool touches or approaches. `tool`: index in
+  /// MpcSpec::tools. If the result is null, plans keep the last surface that was not null. After
+  /// reset(), plans use the surfaces of the specification until a result is not null. Called after
+  /// sense(). The quadric is a function of the tool's position in the frame ToolSpec::base (in the
+  /// world if `base` is empty). The function is zero where the tool touches the surface.
   ///
-  /// The returned surface is the value of the input `surface` (docs/tasks.md). It replaces the
+  /// The returned surface is the value of the input `TOOL/surface` (docs/tasks.md). It replaces the
   /// surfaces of contacts that use this input, at all knots. The normal of the returned surface at
   /// the tool becomes the controller's surface normal.
-  virtual const Quadric* surface() const noexcept { return nullptr; }
-  /// Returns the depth by which the surface yields under the tool [m], at least 0. Plans shift
-  /// target positions of the tool into the surface by this depth, along the surface normal.
-  virtual double surface_depth() const noexcept { return 0.0; }
+  virtual const Quadric* surface(int /*tool*/) const noexcept { return nullptr; }
+  /// Returns the depth by which the surface yields under a tool [m], at least 0. `tool`: index in
+  /// MpcSpec::tools. Plans shift target positions of the tool into the surface by this depth, along
+  /// the surface normal.
+  virtual double surface_depth(int /*tool*/) const noexcept { return 0.0; }
   /// Sets inputs of the plan's problem with Problem::set_input(). The index of an input is its
   /// position in MpcSpec::problem.inputs. Called in the tick that prepares a plan, after the
   /// controller has set its own inputs. The plan uses these values, even if a thread computes it
@@ -172,9 +172,10 @@ class MpcTask {
   /// that are not written count as unknown (NaN). Called once per row of a trace. Must not
   /// allocate.
   virtual void write_signals(std::span<double> /*values*/) const noexcept {}
-  /// Writes the current targets into Command::p_target_world and Command::target_force. `time` is
-  /// the schedule's time [s]. Both targets are recorded in traces. The estimate of the model error
-  /// also uses the target force, to compute friction and force feedback. If aim() throws,
+  /// Writes the current targets of each tool into Command::tools, as ToolCommand::p_target_world
+  /// and ToolCommand::target_force. `time` is the schedule's time [s]. Both targets are recorded in
+  /// traces. The estimate of the model error also uses the target force, to compute friction and
+  /// force feedback. If aim() throws,
   /// MpcController::take_exception() returns the exception.
   virtual void aim(double /*time*/, Command& /*command*/) {}
 
