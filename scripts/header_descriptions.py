@@ -386,7 +386,7 @@ def generated(root, layers):
                                 else f"const Description& description_of(const {of.cpp_name}*);\n").replace(";\n\nconst", ";\nconst")
         texts[folder / "descriptions.gen.hpp"] = (
             HEAD + "#pragma once\n\n" + "".join(f'#include "{name}"\n' for name in includes) + "\n" + declared)
-        own = [as_included(path) for path in (folder / "run_descriptions.hpp",) if (root / path).is_file()]
+        own = [as_included(path) for path in (folder / "figures.hpp",) if (root / path).is_file()]
         texts[folder / "descriptions.gen.cpp"] = (
             HEAD + "".join(f'#include "{name}"\n' for name in [header_of(folder), *own])
             + "\n// NOLINTBEGIN(readability-function-size,modernize-raw-string-literal): tables\n"

@@ -14,12 +14,10 @@
 #include "command.hpp"
 #include "named_tasks.hpp"
 #include "plan_steps.hpp"
-#include "press_hold/record.hpp"
 #include "pressing/closed_run.hpp"
-#include "pressing/record.hpp"
+#include "pressing/recorded_run.hpp"
 #include "pressing/task_form.hpp"
 #include "progress_bar.hpp"
-#include "push_wall/record.hpp"
 #include "record/json_text.hpp"
 #include "record/run_folder.hpp"
 #include "report/figures.hpp"
@@ -27,7 +25,6 @@
 #include "shell_word.hpp"
 #include "signals.hpp"
 #include "sim/light_joints.hpp"
-#include "stand/record.hpp"
 #include "task_argument.hpp"
 
 namespace burnish::app {

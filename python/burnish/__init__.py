@@ -6,7 +6,8 @@ Placements are 4 x 4 arrays."""
 
 import sys as _sys
 
-from . import _renamed, campaign, dataset, model, plot, polishing, press_hold, push_wall, residual, stand
+from . import _renamed, campaign, dataset, model, plot, polishing, residual
+# scripts/describe inserts the named tasks here.
 from ._core import __version__ as __version__
 from .base import *
 from .contact import *
@@ -23,4 +24,4 @@ from .report import *
 from .sim import *
 from .solver import *
 
-_renamed.refuse_old_names(_sys.modules[__name__], model, push_wall, Model)
+_renamed.refuse_old_names(_sys.modules[__name__], model, Model)

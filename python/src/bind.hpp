@@ -23,8 +23,6 @@ void bind_sim(py::module_& m);
 void bind_identify(py::module_& m);
 void bind_report(py::module_& m);
 void bind_polishing(py::module_& m);
-void bind_press_hold(py::module_& m);
-void bind_push_wall(py::module_& m);
-void bind_stand(py::module_& m);
+void bind_named_tasks(py::module_& m);
 
 }  // namespace burnish::python

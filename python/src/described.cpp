@@ -231,6 +231,8 @@ py::object plain(const ValueType& type, void* at) {
   }
 }
 
+}  // namespace
+
 py::dict type_entries(const ValueType& type) {
   static const char* const kinds[] = {"Number", "Count", "Flag",     "Word",   "Text", "Array",
                                       "List",   "Map",   "Optional", "Struct", "Other"};
@@ -249,6 +251,8 @@ py::dict type_entries(const ValueType& type) {
   if (type.element != nullptr) entries["element"] = type_entries(type.element());
   return entries;
 }
+
+namespace {
 
 py::dict field_entries(const Field& field) {
   py::dict entries;

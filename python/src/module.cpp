@@ -23,9 +23,7 @@ PYBIND11_MODULE(_core, module) {
   bind_identify(module);
   bind_report(module);
   bind_polishing(module);
-  bind_press_hold(module);
-  bind_push_wall(module);
-  bind_stand(module);
+  bind_named_tasks(module);
 }
 
 }  // namespace burnish::python

@@ -72,6 +72,8 @@ concept IsSpec = Described<T> || std::is_base_of_v<AsDataclass<T>, SpecOf<T>>;
 template <class T>
 concept IsEnum = Worded<T> || std::is_base_of_v<AsEnum<T>, EnumOf<T>>;
 
+/// Returns a type as plain Python objects, for scripts/describe.
+py::dict type_entries(const ValueType& type);
 const SpecTable& table_of(const Description& description);
 const EnumTable& table_of(const Words& words);
 template <IsSpec T>

@@ -6,7 +6,7 @@
 #include "burnish/tasks/polishing/task_file.hpp"
 #include "polishing/experiments/descriptions.gen.hpp"
 #include "polishing/experiments/experiment.hpp"
-#include "polishing/run_descriptions.hpp"
+#include "polishing/figures.hpp"
 #include "specs_model.hpp"
 #include "specs_pressing.hpp"
 #include "specs_solver.hpp"

@@ -5,7 +5,7 @@
 
 #include "burnish/tasks/pressing/plants.hpp"
 #include "burnish/tasks/pressing/reach.hpp"
-#include "pressing/run_descriptions.hpp"
+#include "pressing/figures.hpp"
 #include "specs_mpc.hpp"
 #include "specs_report.hpp"
 

@@ -1,6 +1,7 @@
 // Written by scripts/describe --write from the headers of the layer; not to be edited.
 // clang-format off
 #include "report/descriptions.hpp"
+#include "report/figures.hpp"
 
 // NOLINTBEGIN(readability-function-size,modernize-raw-string-literal): tables
 namespace burnish {

@@ -9,6 +9,7 @@
 #include <vector>
 
 #include "base/degrees.hpp"
+#include "base/description.hpp"
 #include "burnish/report/metrics.hpp"
 #include "burnish/report/standing_figures.hpp"
 #include "report/run_page.hpp"
@@ -44,6 +45,18 @@ struct FigureEntry {
 
 /// Returns the text of a figure for descriptions: unit in braces, and meaning.
 std::string described_as(const FigureEntry& entry);
+
+/// Returns the description of a struct of figures. `each(see)` must call see(entry, member) for
+/// each figure; further arguments of see are ignored.
+template <class Figures, class Each>
+Describe<Figures> described_figures(const char* layer, const char* name, const char* meaning,
+                                    const Each& each) {
+  Describe<Figures> figures(layer, name, meaning);
+  each([&](const FigureEntry& entry, auto member, auto...) {
+    figures.field(entry.name, member, described_as(entry).c_str());
+  });
+  return figures;
+}
 
 /// Calls see(entry, member) for each figure of Metrics, in the order of files.
 template <class See>

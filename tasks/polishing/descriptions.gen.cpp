@@ -1,7 +1,7 @@
 // Written by scripts/describe --write from the headers of the layer; not to be edited.
 // clang-format off
 #include "polishing/descriptions.hpp"
-#include "polishing/run_descriptions.hpp"
+#include "polishing/figures.hpp"
 
 // NOLINTBEGIN(readability-function-size,modernize-raw-string-literal): tables
 namespace burnish::polishing {

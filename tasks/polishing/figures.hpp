@@ -48,4 +48,25 @@ void each_rest_figure(const See& see) {
       &R::slip);
 }
 
+/// Returns the description of the figures, from their table.
+inline const Description& description_of(const VerdictFigures* /*of*/) {
+  static const Description all =
+      described_figures<VerdictFigures>("polishing", "VerdictFigures",
+                                        "Metrics of a run, to compare with Verdict.",
+                                        [](const auto& see) { each_verdict_figure(see); })
+          .result();
+  return all;
+}
+
+/// Returns the description of the figures, from their table.
+inline const Description& description_of(const RestFigures* /*of*/) {
+  static const Description all =
+      described_figures<RestFigures>(
+          "polishing", "RestFigures",
+          "Figures of the hand that rests on a plane, from the plant's true force and position.",
+          [](const auto& see) { each_rest_figure(see); })
+          .result();
+  return all;
+}
+
 }  // namespace burnish::polishing

@@ -1,7 +1,7 @@
 // Written by scripts/describe --write from the headers of the layer; not to be edited.
 // clang-format off
 #include "press_hold/descriptions.hpp"
-#include "press_hold/run_descriptions.hpp"
+#include "press_hold/figures.hpp"
 
 // NOLINTBEGIN(readability-function-size,modernize-raw-string-literal): tables
 namespace burnish::press_hold {

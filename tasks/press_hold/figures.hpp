@@ -25,4 +25,14 @@ void each_hold_figure(const See& see) {
       &H::slip);
 }
 
+/// Returns the description of the figures, from their table.
+inline const Description& description_of(const HoldFigures* /*of*/) {
+  static const Description all =
+      described_figures<HoldFigures>("press_hold", "HoldFigures",
+                                     "Figures from the end of the ramp to the end of the hold.",
+                                     [](const auto& see) { each_hold_figure(see); })
+          .result();
+  return all;
+}
+
 }  // namespace burnish::press_hold

@@ -1,11 +1,10 @@
-#include "press_hold/record.hpp"
-
 #include "base/sentence.hpp"
-#include "press_hold/figures.hpp"
+#include "press_hold/descriptions.hpp"
+#include "pressing/recorded_run.hpp"
 
 namespace burnish::press_hold {
 
-pressing::RecordedRun recorded(const RunName& run, const RunResult& result) {
+pressing::RecordedRun recorded(const pressing::NamedRun<RunSpec>& run, const RunResult& result) {
   const Task& task = run.spec.task;
   const Setting& setting = result.setting;
   pressing::RecordedRun record = pressing::record_of("press_hold", run, result);

@@ -8,21 +8,36 @@
 
 namespace burnish::press_hold {
 
+const files::DescribedFile& file_of(const Task* /*of*/) {
+  static const files::DescribedFile all = [] {
+    files::DescribedFile form(
+        description_of(static_cast<const Task*>(nullptr)),
+        "Press at a point and hold the force while the rest of the arm moves aside: `burnish "
+        "run`.\nSI units, angles in rad. A key that is left out has its default.",
+        "press_hold");
+    pressing::read_presets<Task>(form, "surface.friction");
+    const std::string fixed = "the robot's base is fixed";
+    form.without("disturbances", pressing::disturbances_of_standing(), fixed)
+        .without("limits", {"base_lost", "support_slip"}, fixed)
+        .without("constraints", {"joint_torque_rate"},
+                 "plans of this task do not model the lag of torques");
+    form.first("limits", {"force", "slip"});
+    return form;
+  }();
+  return all;
+}
+
 Task read_task(const std::filesystem::path& file, const std::vector<std::string>& overrides) {
-  return parse_task(read_text(file, "YAML file"), file.string(), overrides);
+  return pressing::read_task_file<Task>(file, overrides);
 }
 
 Task parse_task(const std::string& text, const std::string& name,
                 const std::vector<std::string>& overrides) {
-  const files::SpecTexts<Task> said = files::parse_said<Task>(text, name, overrides);
-  files::placed(said.texts, [&] { check_task(said.spec); });
-  return said.spec;
+  return pressing::parse_task_text<Task>(text, name, overrides);
 }
 
 void override_task(Task& task, const std::vector<std::string>& overrides) {
-  files::SpecTexts<Task> said{.spec = task};
-  files::change(said, overrides);
-  task = said.spec;
+  pressing::change_task(task, overrides);
 }
 
 std::string task_text(const Task& task) { return file_of(&task).text(&task); }

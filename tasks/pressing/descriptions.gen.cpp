@@ -1,7 +1,7 @@
 // Written by scripts/describe --write from the headers of the layer; not to be edited.
 // clang-format off
 #include "pressing/descriptions.gen.hpp"
-#include "pressing/run_descriptions.hpp"
+#include "pressing/figures.hpp"
 
 // NOLINTBEGIN(readability-function-size,modernize-raw-string-literal): tables
 namespace burnish {

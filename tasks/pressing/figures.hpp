@@ -25,3 +25,17 @@ void each_tick_figure(const See& see) {
 }
 
 }  // namespace burnish::pressing
+
+namespace burnish {
+
+/// Returns the description of the figures, from their table.
+inline const Description& description_of(const TickTimes* /*of*/) {
+  static const Description all =
+      described_figures<TickTimes>("pressing", "TickTimes",
+                                   "Computing times of a controller's ticks after the first [s].",
+                                   [](const auto& see) { pressing::each_tick_figure(see); })
+          .result();
+  return all;
+}
+
+}  // namespace burnish

@@ -37,6 +37,27 @@ void read_presets(files::DescribedFile& form, const std::string& friction = "") 
   });
 }
 
+/// Reads and checks a task file. Errors name the file, or the override, with line and key.
+template <class Task>
+Task parse_task_text(const std::string& text, const std::string& name,
+                     const std::vector<std::string>& overrides) {
+  const files::SpecTexts<Task> said = files::parse_said<Task>(text, name, overrides);
+  files::placed(said.texts, [&] { check_task(said.spec); });
+  return said.spec;
+}
+template <class Task>
+Task read_task_file(const std::filesystem::path& file, const std::vector<std::string>& overrides) {
+  return parse_task_text<Task>(read_text(file, "YAML file"), file.string(), overrides);
+}
+
+/// Applies overrides to a task, without a check of the result.
+template <class Task>
+void change_task(Task& task, const std::vector<std::string>& overrides) {
+  files::SpecTexts<Task> said{.spec = task};
+  files::change(said, overrides);
+  task = said.spec;
+}
+
 /// Returns the keys of the disturbances that only robots on feet have.
 inline const std::vector<std::string>& disturbances_of_standing() {
   static const std::vector<std::string> keys{"support_force_noise",

@@ -1,7 +1,7 @@
 // Written by scripts/describe --write from the headers of the layer; not to be edited.
 // clang-format off
 #include "push_wall/descriptions.hpp"
-#include "push_wall/run_descriptions.hpp"
+#include "push_wall/figures.hpp"
 
 // NOLINTBEGIN(readability-function-size,modernize-raw-string-literal): tables
 namespace burnish::push_wall {

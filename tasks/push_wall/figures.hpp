@@ -58,4 +58,16 @@ void each_push_figure(const See& see) {
       &P::sole_share);
 }
 
+/// Returns the description of the figures, from their table.
+inline const Description& description_of(const PushFigures* /*of*/) {
+  static const Description all =
+      described_figures<PushFigures>(
+          "push_wall", "PushFigures",
+          "Figures of the plant's true forces and positions. Forces are means over 10 ms. Forces "
+          "of the hold are measured from 0.3 s after the ramp.",
+          [](const auto& see) { each_push_figure(see); })
+          .result();
+  return all;
+}
+
 }  // namespace burnish::push_wall

@@ -1,12 +1,11 @@
-#include "push_wall/record.hpp"
-
 #include "base/sentence.hpp"
-#include "push_wall/figures.hpp"
+#include "pressing/recorded_run.hpp"
+#include "push_wall/descriptions.hpp"
 #include "push_wall/pushing.hpp"
 
 namespace burnish::push_wall {
 
-pressing::RecordedRun recorded(const RunName& run, const RunResult& result) {
+pressing::RecordedRun recorded(const pressing::NamedRun<RunSpec>& run, const RunResult& result) {
   const Task& task = run.spec.task;
   const Setting& setting = result.setting;
   pressing::RecordedRun record = pressing::record_of("push_wall", run, result);

@@ -44,4 +44,15 @@ void each_sway_figure(const See& see) {
       &S::com_end);
 }
 
+/// Returns the description of the figures, from their table.
+inline const Description& description_of(const SwayFigures* /*of*/) {
+  static const Description all =
+      described_figures<SwayFigures>("stand", "SwayFigures",
+                                     "Figures of the plant's true positions, from the beginning of "
+                                     "the sway to the end of the run or a fault.",
+                                     [](const auto& see) { each_sway_figure(see); })
+          .result();
+  return all;
+}
+
 }  // namespace burnish::stand

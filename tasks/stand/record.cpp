@@ -1,10 +1,9 @@
-#include "stand/record.hpp"
-
-#include "stand/figures.hpp"
+#include "pressing/recorded_run.hpp"
+#include "stand/descriptions.hpp"
 
 namespace burnish::stand {
 
-pressing::RecordedRun recorded(const RunName& run, const RunResult& result) {
+pressing::RecordedRun recorded(const pressing::NamedRun<RunSpec>& run, const RunResult& result) {
   const Task& task = run.spec.task;
   const Setting& setting = result.setting;
   pressing::RecordedRun record = pressing::record_of("stand", run, result);

@@ -5,21 +5,39 @@
 
 namespace burnish::stand {
 
+const files::DescribedFile& file_of(const Task* /*of*/) {
+  static const files::DescribedFile all = [] {
+    files::DescribedFile form(
+        description_of(static_cast<const Task*>(nullptr)),
+        "Stand on feet, sway with the trunk and come back to rest: `burnish run`.\nSI units, "
+        "angles in rad. A key that is left out has its default.",
+        "stand");
+    pressing::read_presets<Task>(form);
+    const std::string nothing = "the task has no surface to press on";
+    form.without("disturbances",
+                 {"surface_tilt_deg", "surface_height", "surface_curvature", "surface_shape",
+                  "surface_motion", "surface_friction"},
+                 nothing)
+        .without("model_error", {"sliding_bandwidth", "force_gain"}, nothing)
+        .without("constraints", {"force_band"}, nothing)
+        .without("constraints", {"joint_torque_rate"},
+                 "plans of this task do not model the lag of torques");
+    return form;
+  }();
+  return all;
+}
+
 Task read_task(const std::filesystem::path& file, const std::vector<std::string>& overrides) {
-  return parse_task(read_text(file, "YAML file"), file.string(), overrides);
+  return pressing::read_task_file<Task>(file, overrides);
 }
 
 Task parse_task(const std::string& text, const std::string& name,
                 const std::vector<std::string>& overrides) {
-  const files::SpecTexts<Task> said = files::parse_said<Task>(text, name, overrides);
-  files::placed(said.texts, [&] { check_task(said.spec); });
-  return said.spec;
+  return pressing::parse_task_text<Task>(text, name, overrides);
 }
 
 void override_task(Task& task, const std::vector<std::string>& overrides) {
-  files::SpecTexts<Task> said{.spec = task};
-  files::change(said, overrides);
-  task = said.spec;
+  pressing::change_task(task, overrides);
 }
 
 std::string task_text(const Task& task) { return file_of(&task).text(&task); }

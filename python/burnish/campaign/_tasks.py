@@ -31,7 +31,7 @@ def read_tree(path: Path, wanted: str) -> Dict[str, Any]:
 
 
 # Names of tasks in task files; each is a module of the package.
-NAMED_TASKS: List[str] = _core._named_tasks
+NAMED_TASKS: List[str] = [task["name"] for task in _core.named_tasks()]
 
 
 @dataclass
