@@ -343,7 +343,7 @@ void make_runs(std::vector<PolishJob>& jobs, const PolishArguments& arguments,
     outcomes.results.push_back(run_job(job, bar));
     const RunResult& result = outcomes.results.back();
     const auto names = write_last(job, arguments, folder, outcomes);
-    if (arguments.talks() || (!arguments.json && !result.polished))
+    if (arguments.talks() || (!arguments.json && !result.succeeded))
       fmt::print("{}: {}\n", job.name, result.outcome);
     if (arguments.talks() && outcomes.unwritten.empty())
       fmt::print("  {}: {}\n", (folder / job.name).string(), fmt::join(names, ", "));
@@ -392,9 +392,9 @@ int polish(const PolishArguments& arguments) {
     fmt::print(stderr, "burnish: note: {}\n", missing);
   print_end(jobs, outcomes, folder.path(), arguments);
   if (!outcomes.unwritten.empty()) throw Error(outcomes.unwritten);
-  const bool polished = std::all_of(outcomes.results.begin(), outcomes.results.end(),
-                                    [](const RunResult& result) { return result.polished; });
-  return polished && !StopRequest::asked() ? exit_ok : exit_failed;
+  const bool succeeded = std::all_of(outcomes.results.begin(), outcomes.results.end(),
+                                     [](const RunResult& result) { return result.succeeded; });
+  return succeeded && !StopRequest::asked() ? exit_ok : exit_failed;
 }
 
 }  // namespace

@@ -148,7 +148,7 @@ auto checked_run(const RunArguments& a, std::optional<int> seed, bool is_first) 
 /// Metrics and HTML pages of all runs of this command.
 struct RunOutcomes {
   PageWriter pages;
-  bool done = true;
+  bool succeeded = true;
   nlohmann::ordered_json summary = nlohmann::ordered_json::array();
   std::vector<NamedMetrics> metrics = {};
   std::vector<NamedStanding> stood = {};
@@ -169,11 +169,11 @@ void make_run(Run& run, const RunArguments& a, const std::filesystem::path& fold
   const pressing::RecordedRun record = recorded(run, result);
   const auto names =
       write_run(record, {.record_every = a.record_every, .plots = a.plots}, folder, outcomes.pages);
-  outcomes.done = outcomes.done && result.done;
+  outcomes.succeeded = outcomes.succeeded && result.succeeded;
   outcomes.summary.push_back(run_json(record));
   if (record.metrics) outcomes.metrics.push_back({run.name, *record.metrics});
   if (result.standing) outcomes.stood.push_back({run.name, *result.standing});
-  if (talks || (!a.json && !result.done)) fmt::print("{}: {}\n", run.name, result.outcome);
+  if (talks || (!a.json && !result.succeeded)) fmt::print("{}: {}\n", run.name, result.outcome);
   if (talks) fmt::print("  {}: {}\n", folder.string(), fmt::join(names, ", "));
   std::fflush(stdout);
 }
@@ -225,7 +225,7 @@ int run_as(const RunArguments& a) {
   if (const std::string missing = outcomes.pages.missing_meshes(); !missing.empty())
     fmt::print(stderr, "burnish: note: {}\n", missing);
   if (a.json) fmt::print("{}\n", json_text(several ? outcomes.summary : outcomes.summary[0]));
-  return outcomes.done ? exit_ok : exit_failed;
+  return outcomes.succeeded ? exit_ok : exit_failed;
 }
 
 /// Runs the task that the file selects. A file without the key `task` is read as the first task in
@@ -340,7 +340,7 @@ void add_run(CLI::App& app, int& exit_code) {
       "results so far. With several seeds, writes a folder for each, summary.json and\n"
       "comparison.html, and prints a table. docs/tasks.md describes tasks; for polishing, use\n"
       "burnish polish.\n"
-      "Exit codes: 0 done; 1 not done: a fault or an interruption; 2 invalid input.");
+      "Exit codes: 0 succeeded; 1 not: a fault or an interruption; 2 invalid input.");
   command->callback([arguments, &exit_code] { exit_code = run(*arguments); });
 }
 

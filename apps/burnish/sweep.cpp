@@ -88,7 +88,7 @@ void add_sweep(CLI::App& app) {
       "Writes results.csv (a row per run), results.h5, results.html with distributions, and the\n"
       "worst runs with the commands that repeat them. Needs the Python package burnish.\n"
       "docs/campaigns.md describes the file.\n"
-      "Exit codes: 0 all runs were done; 1 some were not; 2 invalid input.");
+      "Exit codes: 0 all runs succeeded; 1 some did not; 2 invalid input.");
 }
 
 void add_tune(CLI::App& app) {

@@ -24,4 +24,4 @@ from .report import *
 from .sim import *
 from .solver import *
 
-_renamed.refuse_old_names(_sys.modules[__name__], model, Model)
+_renamed.refuse_old_names(_sys.modules[__name__], model, Model, polishing.RunResult)

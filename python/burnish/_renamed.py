@@ -9,7 +9,8 @@ from typing import TYPE_CHECKING, Any
 
 from . import _core
 
-_RENAMES = _core.renames()
+# Old and new names; the last ones are old names only as attributes of results.
+_RENAMES = [*_core.renames(), ("polished", "succeeded"), ("done", "succeeded")]
 
 
 def no_attribute(owner: Any, label: str, name: str) -> AttributeError:

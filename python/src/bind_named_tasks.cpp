@@ -112,8 +112,7 @@ py::tuple state_of_named_run(const RunOf<Of>& run) {
   py::list values;
   Of::each_result(
       [&](const char*, auto member, const char*) { values.append(py::cast(run.result.*member)); });
-  return py::make_tuple(run.spec, state_of(run.result), run.result.setting, run.result.done,
-                        values);
+  return py::make_tuple(run.spec, state_of(run.result), run.result.setting, values);
 }
 
 template <class Of>
@@ -121,8 +120,7 @@ RunOf<Of> named_run_of(const py::tuple& state) {
   RunOf<Of> run{py::cast<typename Of::RunSpec>(state[0]), {}};
   set_state(run.result, state[1]);
   run.result.setting = py::cast<typename Of::Setting>(state[2]);
-  run.result.done = py::cast<bool>(state[3]);
-  const py::list values = state[4];
+  const py::list values = state[3];
   std::size_t next = 0;
   Of::each_result([&](const char*, auto member, const char*) {
     run.result.*member = py::cast<std::decay_t<decltype(run.result.*member)>>(values[next++]);
@@ -139,7 +137,6 @@ void bind_named_result(py::module_& m, const std::string& task) {
           .c_str());
   bind_task_run(of, "Sentence with the outcome: success or the fault, with its main figures.");
   add_result(of, "setting", &Of::RunResult::setting, "Setting of the task, a copy.");
-  add_result(of, "done", &Of::RunResult::done, "True if the run reached its end without a fault.");
   Of::each_result([&](const char* entry, auto member, const char* text) {
     add_result(of, entry, member, text);
   });

@@ -395,7 +395,7 @@ std::string repr_of(const Run& run) {
 
 py::tuple state_of_run(const Run& run) {
   const RunResult& r = run.result;
-  return py::make_tuple(run.spec, state_of(r), r.setting, r.reach, r.fitted, r.polished, r.metrics,
+  return py::make_tuple(run.spec, state_of(r), r.setting, r.reach, r.fitted, r.metrics,
                         r.verdict, r.rest);
 }
 
@@ -411,7 +411,6 @@ Run run_of(const py::tuple& state) {
   take(r.setting);
   take(r.reach);
   take(r.fitted);
-  take(r.polished);
   take(r.metrics);
   take(r.verdict);
   take(r.rest);
@@ -439,9 +438,6 @@ void bind_result(py::module_& m) {
       .def("__repr__", &repr_of)
       .def(py::pickle(&state_of_run, &run_of));
   add_result(run_class, "setting", &RunResult::setting, "Setting of the task, a copy.");
-  add_result(run_class, "polished", &RunResult::polished,
-             "True if the run reached the end of the path without a fault and fulfilled "
-             "Task.verdict.");
   run_class.def_property_readonly(
       "fitted", [](const Run& self) { return self.result.fitted; },
       "Sentence with the gains that fit_gains() chose; empty without fitted gains.");

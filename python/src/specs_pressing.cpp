@@ -91,8 +91,8 @@ py::object progress_of(const py::object& spec, const char* what, const char* mod
 
 py::tuple state_of(const TaskRun& run) {
   return py::make_tuple(run.trace, arrays_of(run.plans), run.plant_status, run.fault,
-                        run.interrupted, run.ticks, run.first_tick, run.wall_time, run.outcome,
-                        run.standing);
+                        run.interrupted, run.succeeded, run.ticks, run.first_tick, run.wall_time,
+                        run.outcome, run.standing);
 }
 
 void set_state(TaskRun& run, const py::tuple& state) {
@@ -107,6 +107,7 @@ void set_state(TaskRun& run, const py::tuple& state) {
   take(run.plant_status);
   take(run.fault);
   take(run.interrupted);
+  take(run.succeeded);
   take(run.ticks);
   take(run.first_tick);
   take(run.wall_time);

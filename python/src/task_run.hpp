@@ -74,6 +74,8 @@ void bind_task_run(py::class_<Run>& of, const char* outcome) {
              "FaultReport of the MPC; its kind is NONE without a fault.");
   add_result(of, "interrupted", &TaskRun::interrupted,
              "True if the progress function ended the run.");
+  add_result(of, "succeeded", &TaskRun::succeeded,
+             "True if the run reached its end and did what the task requires.");
   add_result(of, "standing", &TaskRun::standing, "StandingFigures of a standing robot, or None.");
   add_result(of, "ticks", &TaskRun::ticks,
              "TickTimes of the controller, without its first tick, which solves to convergence.");

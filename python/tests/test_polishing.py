@@ -176,7 +176,7 @@ class TestReach:
         assert polishing.check_home(task, setting).ok
         assert "board_y" in [free.posture for free in polishing.free_homes(task, setting)]
         result = short_run(home=task.home, controller="baseline")
-        assert result.polished, result.outcome
+        assert result.succeeded, result.outcome
         phase = result.trace["phase"]
         assert phase[0] == burnish.pressing.Phase.HOME and phase[-1] == burnish.pressing.Phase.TRACK
         assert polishing.make_setting(polishing.make_task("table")).home is None
@@ -296,7 +296,7 @@ class TestSetting:
 class TestRuns:
     def test_both_controllers_polish(self, result, baseline):
         for run in (result, baseline):
-            assert run.polished and run.outcome.startswith("polished")
+            assert run.succeeded and run.outcome.startswith("polished")
             assert run.plant_status is burnish.Status.OK
             assert run.fault.kind is burnish.FaultKind.NONE and not run.interrupted
             assert run.metrics.force_mean == pytest.approx(30.0, abs=2.0)
@@ -314,7 +314,7 @@ class TestRuns:
         assert 0.0 < figures.force_rmse < 0.1 * baseline.task.force
         strict = polishing.Verdict(force_rmse=0.1 * figures.force_rmse / baseline.task.force)
         run = short_run(controller="baseline", seed=3, verdict=strict)
-        assert not run.polished and run.fault.kind is burnish.FaultKind.NONE
+        assert not run.succeeded and run.fault.kind is burnish.FaultKind.NONE
         assert "verdict.force_rmse allows" in run.outcome and run.verdict == figures
         with pytest.raises(burnish.Error, match="verdict.path_share is 2"):
             polishing.make_task(verdict=polishing.Verdict(path_share=2.0))
@@ -381,20 +381,20 @@ class TestRuns:
         task = polishing.make_task("table", **{k: v for k, v in SHORT.items() if k != "plant"})
         run = polishing.run_task(polishing.RunSpec(task, plant="ideal", plan_rate=0.0,
                                                    check_reach=False))
-        assert run.plans.terms == [] and run.reach is None and run.polished
+        assert run.plans.terms == [] and run.reach is None and run.succeeded
 
     def test_fault_ends_the_run_with_its_report(self):
         task = polishing.make_task("table", polish_duration=0.6)
         task.disturbances.pushes = [burnish.Push(0.2, 1.0, [0.0, 0.0, 1000.0])]
         run = polishing.run(task, plant="ideal")
-        assert not run.polished and run.metrics is None
+        assert not run.succeeded and run.metrics is None
         assert run.fault.kind is not burnish.FaultKind.NONE
         assert run.outcome == run.fault.text() and len(run.fault.last_second) > 100
 
     def test_missing_plant_raises(self):
         if polishing.has_mujoco():
             assert polishing.RunSpec().plant is polishing.PlantKind.MUJOCO
-            assert short_run(plant="mujoco").polished
+            assert short_run(plant="mujoco").succeeded
         else:
             with pytest.raises(burnish.Error, match="no MuJoCo"):
                 short_run(plant="mujoco")
@@ -409,13 +409,13 @@ class TestProgress:
             return time < 0.3
 
         run = short_run(progress=until)
-        assert run.interrupted and not run.polished and run.metrics is None
+        assert run.interrupted and not run.succeeded and run.metrics is None
         assert 0.3 <= seen[-1][0] < 0.4 and seen[-1][1] > 1.5
         assert len(run.trace) == round(seen[-1][0] / 5e-4)
 
     def test_returning_none_continues_the_run(self):
         seen = []
-        assert short_run(controller="baseline", progress=lambda t, end: seen.append(t)).polished
+        assert short_run(controller="baseline", progress=lambda t, end: seen.append(t)).succeeded
         assert len(seen) > 10 and seen == sorted(seen)
 
     def test_exception_reaches_the_caller(self):

@@ -31,7 +31,7 @@ def test_task_text_reads_back_unchanged(tmp_path):
 
 
 def test_arm_moving_aside_keeps_force_and_point(result):
-    assert result.done and result.outcome.startswith("held"), result.outcome
+    assert result.succeeded and result.outcome.startswith("held"), result.outcome
     assert result.hold.moved_aside > 0.1 and result.hold.slip < 2e-3
     assert result.metrics.force_rmse < 1.0 and result.metrics.without_contact == 0.0
     assert result.trace["phase"][-1] == press_hold.phase_names().index("retreat")
@@ -43,7 +43,7 @@ def test_run_on_another_robot_fits_the_task_with_a_warning():
     arm = "talos:right_arm"
     with pytest.warns(UserWarning, match="aside: robot 'talos' does not have"):
         other = press_hold.run(SHIPPED, robot=arm, plant="ideal", **SHORT)
-    assert other.done, other.outcome
+    assert other.succeeded, other.outcome
     task, changes = press_hold.fit_to_robot(press_hold.make_task(SHIPPED, robot=arm, **SHORT))
     assert len(changes) == 2 and task == other.task
     own = press_hold.make_task(SHIPPED)
@@ -53,7 +53,7 @@ def test_run_on_another_robot_fits_the_task_with_a_warning():
 @pytest.mark.skipif(not burnish.has_mujoco(), reason="this build has no MuJoCo")
 def test_run_on_mujoco_keeps_force_and_point():
     result = press_hold.run(SHIPPED, **SHORT)
-    assert result.done and result.plant.name == "MUJOCO", result.outcome
+    assert result.succeeded and result.plant.name == "MUJOCO", result.outcome
 
 
 def test_write_creates_the_files_of_a_run(result, tmp_path):
@@ -75,7 +75,7 @@ def test_result_pickles_unchanged(result):
 
 def test_progress_returning_false_interrupts_the_run():
     result = press_hold.run(SHIPPED, plant="ideal", progress=lambda time, end: time < 0.1)
-    assert result.interrupted and not result.done and result.hold is None
+    assert result.interrupted and not result.succeeded and result.hold is None
 
 
 def test_make_controller_in_an_own_loop_gives_the_forces_of_the_run(result):

@@ -36,7 +36,7 @@ def test_setting_has_feet_as_supports_and_finds_a_posture():
 def test_run_has_figures_and_pickles():
     result = stand.run(SHIPPED, sway_duration=0.8, settle_duration=0.1, rest_duration=0.1,
                        overrides=["sway.rise=0.4", "standing.settle=0.2", "sway.shift=[0.01, 0, 0.01]"])
-    assert result.done and not result.fell and result.outcome.startswith("stood")
+    assert result.succeeded and not result.fell and result.outcome.startswith("stood")
     assert 0.0 < result.sway.com_rmse < 5e-3 and result.standing.min_load > 12.0
     again = pickle.loads(pickle.dumps(result))
     assert again.sway == result.sway and again.fell == result.fell

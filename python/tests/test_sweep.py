@@ -61,7 +61,7 @@ class TestTasks:
             task = TaskFile.read(file)
             assert "tick_rate: 500" in task.changed({"controller.tick_rate": 500.0})
             assert task.units()["controller.tick_rate"] == "Hz"
-        run = {"task": name, "done": True, "outcome": "done", "figures": "own", "own": {"slip_m": 0.25}}
+        run = {"task": name, "succeeded": True, "outcome": "done", "figures": "own", "own": {"slip_m": 0.25}}
         made = outcome_of({"run": json.dumps(run).encode(), "late": b"", "computing": b"1.0"})
         assert made.figures == {"slip_m": 0.25}
 
@@ -241,18 +241,18 @@ class TestRuns:
         plan = pressing(vary={"phases.hold_duration": [0.1], "phases.touch_force": [25, 5, 5.5, 6]},
                         stop={"figure": "force_rmse", "above": 0.0, "runs": 2})
         result = campaign.sweep(plan, out=tmp_path / "out", quiet=True, threads=2)
-        assert [row.outcome.done for row in result.rows] == [False, True, True]
+        assert [row.outcome.succeeded for row in result.rows] == [False, True, True]
         assert "phases.touch_force: it is 25 N, more than the force of 20 N" in result.rows[0].outcome.outcome
         assert result.stopped == "ended after 3 of 4 runs: 2 had force_rmse above 0"
         rows = table(tmp_path / "out")
-        assert [row["done"] for row in rows] == ["no", "yes", "yes"]
+        assert [row["succeeded"] for row in rows] == ["no", "yes", "yes"]
         assert rows[0]["force_rmse [N]"] == "" and float(rows[2]["slip [m]"]) > 0
 
     def test_press_hold_sweep_varies_seeds(self, tmp_path):
         plan = pressing(vary={"phases.hold_duration": [0.1], "disturbances.force_noise": [0.3]}, seeds=2)
         rows = campaign.sweep(plan, out=tmp_path / "out", quiet=True, threads=2).rows
         assert [row.point["disturbances.seed"] for row in rows] == [0, 1]
-        assert all(row.outcome.done for row in rows)
+        assert all(row.outcome.succeeded for row in rows)
         assert rows[0].outcome.figures["force_rmse_N"] != rows[1].outcome.figures["force_rmse_N"]
 
     def test_seeds_vary_disturbances_given_as_a_preset(self, tmp_path):
@@ -274,7 +274,7 @@ class TestRuns:
         with pytest.raises(TypeError, match="'name'"):
             make_task_run(*words)  # without a name, nothing could find the result
         outcome = outcome_of(make_task_run(*words, "late")["late"])
-        assert (outcome.late, outcome.done, outcome.outcome) == (True, False, "ended by its time limit")
+        assert (outcome.late, outcome.succeeded, outcome.outcome) == (True, False, "ended by its time limit")
         assert not outcome.figures
 
 
@@ -297,7 +297,7 @@ class TestShards:
             result = campaign.sweep(file, out=part, shard=f"{i + 1}/2", threads=1)
             assert [row.number for row in result.rows] == ([1, 3, 5], [2, 4])[i]
             assert not (part / "results.csv").exists()
-        assert "friction, shard 2/2: 2 runs, 0 of them not done" in capsys.readouterr().out
+        assert "friction, shard 2/2: 2 runs, 0 of them did not succeed" in capsys.readouterr().out
         before = {each: each.stat().st_mtime_ns for each in (parts[0] / "runs").iterdir()}
         campaign.sweep(file, out=parts[0], shard="1/2", resume=True, quiet=True)
         assert {each: each.stat().st_mtime_ns for each in (parts[0] / "runs").iterdir()} == before
@@ -305,7 +305,7 @@ class TestShards:
         words = [campaign.program(), "merge", *map(str, parts), "--out", str(merged)]
         done = subprocess.run(words, capture_output=True, text=True)
         assert (done.returncode, done.stderr) == (0, "")
-        assert "5 runs, 0 of them not done" in done.stdout
+        assert "5 runs, 0 of them did not succeed" in done.stdout
         for name in ("results.csv", "results.html", "campaign.yaml", "campaign.json"):
             assert (merged / name).read_bytes() == (one / name).read_bytes()
         assert (merged / "results.h5").exists() == (one / "results.h5").exists()

@@ -10,6 +10,7 @@
 #include "burnish/sim/closed_loop.hpp"
 #include "burnish/tasks/polishing/margins.hpp"
 #include "burnish/tasks/polishing/task_file.hpp"
+#include "polishing/descriptions.hpp"
 #include "polishing/figures.hpp"
 #include "polishing/resting_hand.hpp"
 #include "polishing/verdict.hpp"
@@ -218,8 +219,8 @@ RunResult run_task(const RunSpec& spec) {
   if (result.rest) add(rest_failure(spec.task, *result.rest));
   add(beyond_limits(setting.robot.model, result.trace, end.time));
   result.outcome = outcome_of(spec.task, result, watch, end, failure);
-  result.polished = is_usable(result.plant_status) && result.fault.kind == FaultKind::None &&
-                    !result.interrupted && watch.tracked(end.time) && failure.empty();
+  result.succeeded = is_usable(result.plant_status) && result.fault.kind == FaultKind::None &&
+                     !result.interrupted && watch.tracked(end.time) && failure.empty();
   return result;
 }
 

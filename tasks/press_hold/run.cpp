@@ -97,8 +97,8 @@ RunResult run_task(const RunSpec& spec) {
   const pressing::RunEnd ended = pressing::run_closed_loop(run, result);
   measure_hold(result);
   result.outcome = outcome_of(result, ended);
-  result.done = is_usable(result.plant_status) && result.fault.kind == FaultKind::None &&
-                !result.interrupted && result.hold.has_value() && mpc.schedule().time() >= end;
+  result.succeeded = is_usable(result.plant_status) && result.fault.kind == FaultKind::None &&
+                     !result.interrupted && result.hold.has_value() && mpc.schedule().time() >= end;
   return result;
 }
 

@@ -12,7 +12,7 @@ Json run_json(const RecordedRun& r) {
             {"plant", name_of(r.plant)},
             {"kernels", instruction_set()},
             {"seed", r.disturbances.seed},
-            {"done", r.done},
+            {"succeeded", r.run.succeeded},
             {"outcome", r.run.outcome},
             {"fault", fault_json(r.run.fault)}};
   json.update(r.more);
@@ -33,7 +33,7 @@ RunPage make_run_page(const RecordedRun& r, int record_every) {
                          {"seed", std::to_string(r.disturbances.seed)}},
                .command = r.command.empty() ? "burnish run task.yaml --plant " + name_of(r.plant)
                                             : r.command,
-               .succeeded = r.done,
+               .succeeded = r.run.succeeded,
                .metrics = r.metrics ? page_metrics(r.metrics) : std::vector<PageMetric>(),
                .task_file = r.task_file,
                .robot = drawing_of(r.robot, r.robot_name, r.q_start)};

@@ -34,7 +34,6 @@ struct RecordedRun {
   std::string task_file;      ///< Text of the task file.
   double deadline;            ///< Deadline of plans [s]; infinite: none.
   const TaskRun& run;
-  bool done;
   const Robot& robot;
   const Eigen::VectorXd& q_start;  ///< Starting posture (nq).
   const SceneSpec& scene;          ///< Nominal scene, which the controller assumes.
@@ -72,7 +71,6 @@ RecordedRun record_of(const std::string& task, const NamedRun<RunSpec>& run,
           .task_file = task_text(run.spec.task),
           .deadline = run.spec.task.limits.deadline,
           .run = result,
-          .done = result.done,
           .robot = result.setting.robot,
           .q_start = result.setting.q_start,
           .scene = result.setting.scene};

@@ -265,8 +265,8 @@ RunResult run_task(const RunSpec& spec) {
     result.limited_by = limits_near(problem, *last);
   measure_push(task, *search_state, result);
   result.outcome = outcome_of(task, result, ended);
-  result.done = is_usable(result.plant_status) && result.fault.kind == FaultKind::None &&
-                !result.interrupted && result.push.has_value() && mpc.schedule().time() >= end;
+  result.succeeded = is_usable(result.plant_status) && result.fault.kind == FaultKind::None &&
+                     !result.interrupted && result.push.has_value() && mpc.schedule().time() >= end;
   return result;
 }
 

@@ -194,8 +194,8 @@ RunResult run_task(const RunSpec& spec) {
     result.fell = measured.fell();
   }
   result.outcome = outcome_of(task, result, ended);
-  result.done = is_usable(result.plant_status) && result.fault.kind == FaultKind::None &&
-                !result.interrupted && !result.fell && mpc.schedule().time() >= end;
+  result.succeeded = is_usable(result.plant_status) && result.fault.kind == FaultKind::None &&
+                     !result.interrupted && !result.fell && mpc.schedule().time() >= end;
   return result;
 }
 

@@ -33,7 +33,7 @@ TEST(Polish, TwoControllers_WriteTheFilesOfBothRuns) {
   ASSERT_EQ(summary.size(), 2U);
   for (const Json& each : summary) {
     const auto folder = out / each["name"].get<std::string>();
-    EXPECT_TRUE(each["polished"].get<bool>());
+    EXPECT_TRUE(each["succeeded"].get<bool>());
     EXPECT_EQ(Json::parse(contents(folder / "metrics.json")), each);
     EXPECT_NEAR(each["metrics"]["force_mean_N"].get<double>(), 30.0, 5.0);
     EXPECT_GT(each["reach"]["points"].get<int>(), 10);
@@ -254,7 +254,7 @@ TEST(Polish, UrdfFileAndToolFrame_AreEnoughToPolish) {
   const Json summary = Json::parse(outcome.out);
   ASSERT_EQ(summary.size(), 1U);  // on the table
   EXPECT_EQ(summary[0]["name"], "table_mpc");
-  EXPECT_TRUE(summary[0]["polished"].get<bool>());
+  EXPECT_TRUE(summary[0]["succeeded"].get<bool>());
   const Outcome piped = shell("bash -c \"'" BURNISH_PROGRAM "' polish --robot <(cat " +
                               quoted(file) + ") --out " + quoted(scratch.folder / "piped") +
                               " --controller mpc --json" + short_run + " --tool flange\"");
@@ -346,7 +346,7 @@ TEST(Polish, Fault_GivesExitCodeOneAndAReport) {
   EXPECT_GT(lines_of(contents(folder / "last_second.csv")), 2);
   EXPECT_GT(lines_of(contents(folder / "trace.csv")), 2);
   const Json metrics = Json::parse(contents(folder / "metrics.json"));
-  EXPECT_FALSE(metrics["polished"].get<bool>());
+  EXPECT_FALSE(metrics["succeeded"].get<bool>());
   EXPECT_EQ(metrics["fault"]["kind"], "speed limit");
   // A run without a fault removes the report.
   EXPECT_EQ(run("polish --surface table --controller mpc --force --out " + quoted(out) + short_run)
@@ -362,7 +362,7 @@ TEST(Polish, FigureBeyondTheVerdict_GivesExitCodeOne) {
                               quoted(out) + short_run + " --set verdict.force_rmse=1e-5");
   EXPECT_EQ(outcome.exit_code, 1) << outcome.out;
   const Json run = Json::parse(contents(out / "summary.json"))[0];
-  EXPECT_FALSE(run["polished"].get<bool>());
+  EXPECT_FALSE(run["succeeded"].get<bool>());
   EXPECT_EQ(run["verdict"]["force_rmse"]["at_most"], 1e-5);
   EXPECT_GT(run["verdict"]["force_rmse"]["value"].get<double>(), 1e-5);
   EXPECT_GT(run["verdict"]["contact_share"]["value"].get<double>(), 0.9);

@@ -26,7 +26,7 @@ TEST(RunCommand, PressHold_WritesMetricsTracePageAndTask) {
   EXPECT_NE(outcome.out.find("my_task: held: "), std::string::npos) << outcome.out;
   const auto out = scratch.folder / "out";
   const Json figures = Json::parse(contents(out / "metrics.json"));
-  EXPECT_TRUE(figures["done"].get<bool>());
+  EXPECT_TRUE(figures["succeeded"].get<bool>());
   EXPECT_LT(figures["metrics"]["force_rmse_N"].get<double>(), 0.5);
   EXPECT_GT(figures["hold"]["moved_aside_rad"].get<double>(), 0.2);
   EXPECT_LT(figures["hold"]["slip_m"].get<double>(), 2e-3);

@@ -28,7 +28,7 @@ TEST(PressHold, ArmMovesAside_KeepsForceAndPoint) {
     if (plant == PlantKind::Mujoco && !has_mujoco()) continue;
     SCOPED_TRACE(name_of(plant));
     const RunResult result = run(arm7_task(), plant);
-    EXPECT_TRUE(result.done) << result.outcome;
+    EXPECT_TRUE(result.succeeded) << result.outcome;
     ASSERT_TRUE(result.metrics && result.hold) << result.outcome;
     EXPECT_GT(result.hold->moved_aside, 0.2) << "the arm does not move aside";
     EXPECT_LT(result.hold->slip, 2e-3);
@@ -65,10 +65,10 @@ TEST(PressHold, SurfaceFarther_WaitsOrReportsNoContact) {
   Task task = arm7_task();
   task.disturbances.surface_height = -0.01;
   const RunResult result = run(task);
-  EXPECT_TRUE(result.done) << result.outcome;
+  EXPECT_TRUE(result.succeeded) << result.outcome;
   task.disturbances.surface_height = -0.1;
   const RunResult nothing = run(task);
-  EXPECT_FALSE(nothing.done);
+  EXPECT_FALSE(nothing.succeeded);
   EXPECT_EQ(nothing.fault.kind, FaultKind::NoContact) << nothing.outcome;
 }
 
@@ -76,7 +76,7 @@ TEST(PressHold, ToolSlip_StopsTheRun) {
   Task task = arm7_task();
   task.slip = 2e-5;
   const RunResult result = run(task);
-  EXPECT_FALSE(result.done);
+  EXPECT_FALSE(result.succeeded);
   EXPECT_EQ(result.fault.kind, FaultKind::Watched) << result.outcome;
   expect_words(result.outcome, {"slip of the tool, m", "allowed is 2e-05"});
 }
@@ -85,7 +85,7 @@ TEST(PressHold, ProgressReturnsFalse_InterruptsTheRun) {
   RunSpec spec{.task = arm7_task(), .plant = PlantKind::Ideal};
   spec.progress = [](double time, double end) { return time < 0.1 && end > 3.0; };
   const RunResult result = run_task(spec);
-  EXPECT_FALSE(result.done);
+  EXPECT_FALSE(result.succeeded);
   EXPECT_TRUE(result.interrupted);
   expect_words(result.outcome, {"interrupted at 0.1", "in phase approach"});
 }

@@ -33,7 +33,7 @@ TEST(PushWall, BothHands_KeepTheForceAndFindTheLargest) {
                           "phases.release_duration=2", "phases.retreat_duration=0.3",
                           "controller.update_rate=100", "controller.knots=20"});
   const RunResult result = run_task({.task = task, .plan_rate = 0.0});
-  EXPECT_TRUE(result.done) << result.outcome;
+  EXPECT_TRUE(result.succeeded) << result.outcome;
   ASSERT_TRUE(result.push) << result.outcome;
   EXPECT_LT(result.push->force_rmse, 1.0);
   EXPECT_NEAR(result.push->force_mean, 50.0, 1.0);

@@ -55,7 +55,7 @@ class Stand : public ::testing::Test {
 
 /// Expects a run that stood and swayed accurately, with an estimated (not measured) base.
 void expect_swayed(const RunResult& result) {
-  EXPECT_TRUE(result.done) << result.outcome;
+  EXPECT_TRUE(result.succeeded) << result.outcome;
   EXPECT_FALSE(result.fell);
   ASSERT_TRUE(result.sway && result.standing) << result.outcome;
   EXPECT_GT(result.standing->com_moved, 0.02) << "the robot does not sway";
@@ -87,7 +87,7 @@ TEST_F(Stand, TalosOnSoles_Sways) {
        "sway.rise=0.7", "sway.shift_rate=[0.6,0.5,0.6]", "controller.update_rate=100",
        "controller.solver_delay=0.01", "controller.knots=20"});
   const RunResult result = run(task);
-  EXPECT_TRUE(result.done) << result.outcome;
+  EXPECT_TRUE(result.succeeded) << result.outcome;
   ASSERT_TRUE(result.sway);
   EXPECT_GT(result.standing->com_moved, 0.015);
   EXPECT_LT(result.sway->com_rmse, 3e-3);
@@ -98,7 +98,7 @@ TEST_F(Stand, PushAtTheTrunk_KeepsStanding) {
   Task task = short_task();
   task.disturbances.pushes = {{0.9, 0.2, Eigen::Vector3d(20.0, 60.0, 0.0)}};
   const RunResult result = run(task);
-  EXPECT_TRUE(result.done) << result.outcome;
+  EXPECT_TRUE(result.succeeded) << result.outcome;
   ASSERT_TRUE(result.sway);
   EXPECT_LT(result.sway->com_peak, 0.02);
   EXPECT_NE(result.trace.column("push_y_world").maxCoeff(), 0.0);
@@ -111,7 +111,7 @@ TEST_F(Stand, FootLiftsAndNoSway_OutcomeReportsBoth) {
   setting.sway.shift.setZero();
   setting.sway.turn.setZero();
   const RunResult result = run_task({.task = task, .setting = setting, .plan_rate = 0.0});
-  EXPECT_TRUE(result.done) << result.outcome;
+  EXPECT_TRUE(result.succeeded) << result.outcome;
   expect_words(result.outcome,
                {"stood: ", "; a foot lost contact", "; no direction of the sway was possible"});
 }
@@ -120,14 +120,14 @@ TEST_F(Stand, HardPushOrSlipLimit_OutcomeReportsWhetherItFell) {
   Task task = short_task();
   task.disturbances.pushes = {{0.9, 0.4, Eigen::Vector3d(0.0, 400.0, 0.0)}};
   const RunResult fallen = run(task);
-  EXPECT_FALSE(fallen.done);
+  EXPECT_FALSE(fallen.succeeded);
   EXPECT_TRUE(fallen.fell) << fallen.outcome;
   EXPECT_EQ(fallen.fault.kind, FaultKind::Watched);
   expect_words(fallen.outcome, {"beyond a limit", "slip of foot '", "; the robot fell"});
   task.disturbances.pushes.clear();
   task.slip = 1e-5;
   const RunResult stopped = run(task);
-  EXPECT_FALSE(stopped.done || stopped.fell);
+  EXPECT_FALSE(stopped.succeeded || stopped.fell);
   expect_words(stopped.outcome, {"slip of foot '", "; the robot stands"});
 }
 
@@ -197,7 +197,7 @@ TEST_F(Stand, LightRobotSolo12_StandsAndSways) {
                 "standing.min_load"});
   task.standing.min_load = std::nullopt;
   const RunResult result = run(task);
-  EXPECT_TRUE(result.done) << result.outcome;
+  EXPECT_TRUE(result.succeeded) << result.outcome;
   EXPECT_LT(result.sway->com_rmse, 5e-3);
 }
 
@@ -317,7 +317,7 @@ TEST_F(Stand, LegsWithoutAnkleRoll_SwaysInPossibleDirections) {
     constrained += foot.directions.count();
   EXPECT_EQ(constrained, 11);
   const RunResult result = run(task);
-  EXPECT_TRUE(result.done) << result.outcome;
+  EXPECT_TRUE(result.succeeded) << result.outcome;
   ASSERT_TRUE(result.sway);
   EXPECT_LT(result.sway->com_rmse, 3e-3);
 }
@@ -329,7 +329,7 @@ TEST_F(Stand, BipedsFrom1To175Kg_StandWithOneFile) {
         scratch.write("biped.urdf", biped(size)).string(), size,
         {"controller.update_rate=200", "controller.solver_delay=0.005", "controller.knots=30",
          "sway.rise=1.6", "phases.sway_duration=3.4", "sway.shift_rate=[0.3, 0.25, 0.4]"}));
-    EXPECT_TRUE(result.done) << size << ": " << result.outcome;
+    EXPECT_TRUE(result.succeeded) << size << ": " << result.outcome;
   }
 }
 
@@ -350,7 +350,7 @@ TEST_F(Stand, LightBase_StandsFromTheStart) {
   const Task task =
       biped_task(scratch.write("biped.urdf", text).string(), 1.0, {"phases.sway_duration=1.4"});
   const RunResult result = run(task);
-  EXPECT_TRUE(result.done) << result.outcome;
+  EXPECT_TRUE(result.succeeded) << result.outcome;
 }
 
 /// Soles 5 cm wide under a robot of 60 kg with a waist joint.
@@ -369,7 +369,7 @@ TEST_F(Stand, NarrowSoles_StandsWithoutTipping) {
           .joints[static_cast<std::size_t>(setting.robot.model.joint_index("waist"))];
   EXPECT_LT(std::abs(setting.q_start[joint.q_index]), 1e-3) << "the trunk inclines without need";
   const RunResult result = run(task);
-  EXPECT_TRUE(result.done) << result.outcome;
+  EXPECT_TRUE(result.succeeded) << result.outcome;
 }
 
 TEST(StandRobot, LegsThatReachNoPosture_RefusalNamesJointsAtTheirLimits) {
@@ -513,7 +513,7 @@ TEST_F(Stand, ProgressReturnsFalse_InterruptsTheRun) {
   RunSpec spec{.task = short_task()};
   spec.progress = [](double time, double end) { return time < 0.6 && end > 1.9; };
   const RunResult result = run_task(spec);
-  EXPECT_FALSE(result.done);
+  EXPECT_FALSE(result.succeeded);
   EXPECT_TRUE(result.interrupted);
   expect_words(result.outcome, {"interrupted at 0.6", "in phase sway"});
 }

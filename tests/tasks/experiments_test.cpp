@@ -88,7 +88,7 @@ TEST(Batch, OneOrThreeThreads_GiveTheSameFigures) {
   const std::vector<RunFigures> three = run_batch(spec, runs);
   for (std::size_t i = 0; i < runs.size(); ++i) {
     EXPECT_EQ(one[i].name, runs[i].name);
-    EXPECT_TRUE(one[i].polished) << one[i].outcome;
+    EXPECT_TRUE(one[i].succeeded) << one[i].outcome;
     EXPECT_EQ(one[i]["force_rmse"], three[i]["force_rmse"]);
     EXPECT_EQ(one[i]["position_rmse"], three[i]["position_rmse"]);
     EXPECT_EQ(one[i]["run_torque_margin"], three[i]["run_torque_margin"]);

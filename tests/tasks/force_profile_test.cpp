@@ -98,7 +98,7 @@ TEST(ForceProfile, ForceStep_EveryControllerFollows) {
   const ForceProfile steps{.kind = Kind::Steps, .points = {{0.5, 30.0}}};
   for (const ControllerKind controller : {ControllerKind::Mpc, ControllerKind::Baseline}) {
     const RunResult result = run_task(pressing(steps, controller));
-    EXPECT_TRUE(result.polished) << result.outcome;
+    EXPECT_TRUE(result.succeeded) << result.outcome;
     EXPECT_NEAR(true_force(result, 0.2), 20.0, 0.5) << name_of(controller);
     EXPECT_NEAR(true_force(result, 1.4), 30.0, 0.5) << name_of(controller);
     const Trace::Column target = result.trace.column("target_force");
@@ -111,7 +111,7 @@ TEST(ForceProfile, NoPreview_ForceChangesOnlyAfterTheStep) {
   const RunResult with_preview = run_task(pressing(steps, ControllerKind::Mpc));
   steps.preview = false;
   const RunResult without_preview = run_task(pressing(steps, ControllerKind::Mpc));
-  EXPECT_TRUE(without_preview.polished) << without_preview.outcome;
+  EXPECT_TRUE(without_preview.succeeded) << without_preview.outcome;
   const double before = 0.495;
   EXPECT_NEAR(true_force(without_preview, before), 20.0, 0.05);
   EXPECT_NEAR(true_force(without_preview, 1.4), 30.0, 0.5);

@@ -79,8 +79,8 @@ TEST_P(HomeMoves, RunFromHome_PolishesLikeARunFromTheStart) {
   const RunResult from_home = run_task(spec);
   spec.task.home = {};
   const RunResult from_start = run_task(spec);
-  ASSERT_TRUE(from_home.polished) << from_home.outcome;
-  ASSERT_TRUE(from_start.polished) << from_start.outcome;
+  ASSERT_TRUE(from_home.succeeded) << from_home.outcome;
+  ASSERT_TRUE(from_start.succeeded) << from_start.outcome;
   EXPECT_NEAR(from_home.metrics->force_rmse, from_start.metrics->force_rmse, 0.03);
   EXPECT_NEAR(from_home.metrics->position_rmse, from_start.metrics->position_rmse, 5e-5);
   EXPECT_NEAR(*from_home.metrics->tool_to_normal, *from_start.metrics->tool_to_normal, 2e-3);
@@ -111,7 +111,7 @@ TEST(Home, ControllersWithoutPlans_MoveToTheStart) {
   for (const ControllerKind kind : {ControllerKind::Baseline, ControllerKind::Admittance}) {
     spec.controller = kind;
     const RunResult result = run_task(spec);
-    EXPECT_TRUE(result.polished) << name_of(kind) << ": " << result.outcome;
+    EXPECT_TRUE(result.succeeded) << name_of(kind) << ": " << result.outcome;
     EXPECT_EQ(result.trace.column("phase")[0], number_of(Phase::Home));
   }
 }

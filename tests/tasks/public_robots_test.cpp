@@ -119,7 +119,7 @@ TEST(PublicArms, ErrorsBeyondTheTolerance_AreListed) {
     ArmTrial trial{.bench = &bench, .preset = preset, .controller = controller};
     for (const double times : {0.5, 1.0, 3.0}) {  // the table shows the median
       trial.runs.push_back(figures.size());
-      RunFigures run{.made = true, .polished = true, .metrics = Metrics{}};
+      RunFigures run{.made = true, .succeeded = true, .metrics = Metrics{}};
       run.metrics->force_rmse = times * force;
       run.metrics->position_rmse = times * path;
       figures.push_back(run);
@@ -141,7 +141,7 @@ TEST(PublicArms, ErrorsBeyondTheTolerance_AreListed) {
   PublicReport none;
   EXPECT_TRUE(arms_table(trials, figures, none).rows.empty());
   figures[1].made = true;
-  figures[0].polished = false;  // a run that does not polish counts as the worst
+  figures[0].succeeded = false;  // a run that does not polish counts as the worst
   EXPECT_EQ(std::get<std::string>(arms_table(trials, figures, common).rows[0].back()),
             "mismatch: polishes 2, baseline 3; joint_friction: force +0.030 N and path +0.010 mm");
   ExperimentReport report;

@@ -47,7 +47,7 @@ void expect_same(const RunFigures& a, const RunFigures& b) {
   EXPECT_EQ(a.made, b.made);
   EXPECT_EQ(a.refused, b.refused);
   EXPECT_EQ(a.late, b.late);
-  EXPECT_EQ(a.polished, b.polished);
+  EXPECT_EQ(a.succeeded, b.succeeded);
   EXPECT_EQ(a.fault, b.fault);
   EXPECT_EQ(a.seed, b.seed);
   EXPECT_EQ(a.finite, b.finite);
@@ -207,10 +207,10 @@ TEST(Batch, CustomRun_IsStoredByItsDependsOnText) {
   run.perform = [&calls](const RunProgress& progress) {
     ++calls;
     EXPECT_TRUE(progress(0.5, 1.0));
-    return RunFigures{.name = "it stands", .made = true, .polished = true};
+    return RunFigures{.name = "it stands", .made = true, .succeeded = true};
   };
-  EXPECT_TRUE(run_batch(spec, {run})[0].polished);
-  EXPECT_TRUE(run_batch(spec, {run})[0].polished);
+  EXPECT_TRUE(run_batch(spec, {run})[0].succeeded);
+  EXPECT_TRUE(run_batch(spec, {run})[0].succeeded);
   EXPECT_EQ(calls, 1);
   EXPECT_EQ(counts.found, 1);
   run.depends_on = "another text";
@@ -229,7 +229,7 @@ TEST(Batch, ResultsOfOtherKernels_NeedTheMixedOption) {
   ExperimentSpec spec = short_spec();
   spec.store = &store;
   const std::vector<BatchRun> runs = two_runs();
-  RunFigures other{.name = "seed 1", .made = true, .polished = true};
+  RunFigures other{.name = "seed 1", .made = true, .succeeded = true};
   other.kernels = "MMX";
   store.keep(store.name_of("seed 1", runs[1].spec), other);
   expect_words(refusal([&] { run_batch(spec, runs); }),
@@ -253,7 +253,7 @@ TEST(Batch, TimeLimit_EndsTheRunAndAllowsARetry) {
   spec.counts = &counts;
   const std::vector<RunFigures> late = run_batch(spec, two_runs());
   EXPECT_EQ(late[0].outcome, "ended by its time limit");
-  EXPECT_TRUE(late[0].late && late[0].made && !late[0].polished);
+  EXPECT_TRUE(late[0].late && late[0].made && !late[0].succeeded);
   ExperimentReport report;
   note_failures(spec, late, report);
   EXPECT_EQ(report.failures.size(), 2U);

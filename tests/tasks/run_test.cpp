@@ -27,7 +27,7 @@ RunSpec short_run(PlantKind plant, ControllerKind controller) {
 }
 
 void expect_polished(const RunResult& result) {
-  EXPECT_TRUE(result.polished) << result.outcome;
+  EXPECT_TRUE(result.succeeded) << result.outcome;
   EXPECT_EQ(result.plant_status, Status::Ok);
   EXPECT_EQ(result.fault.kind, FaultKind::None);
   EXPECT_EQ(result.outcome.rfind("polished", 0), 0U) << result.outcome;
@@ -89,7 +89,7 @@ TEST(PolishingRun, FrictionWithALightWrist_CausesNoRinging) {
   for (Eigen::VectorXd* figure : {&model.armature, &model.damping, &model.friction})
     figure->setZero();
   const RunResult result = run_task(spec);
-  EXPECT_TRUE(result.polished) << result.outcome;
+  EXPECT_TRUE(result.succeeded) << result.outcome;
   ASSERT_TRUE(result.metrics.has_value());
   // A ringing arm has 10 N, and no contact for a tenth of the time.
   EXPECT_LT(result.metrics->force_rmse, 1.0);
@@ -126,7 +126,7 @@ TEST(PolishingRun, Fault_EndsTheRunWithItsReport) {
   RunSpec spec = short_run(PlantKind::Ideal, ControllerKind::Mpc);
   spec.task.disturbances.pushes = {{0.2, 1.0, {0.0, 0.0, 1000.0}}};
   const RunResult result = run_task(spec);
-  EXPECT_FALSE(result.polished);
+  EXPECT_FALSE(result.succeeded);
   EXPECT_NE(result.fault.kind, FaultKind::None);
   EXPECT_EQ(result.outcome, result.fault.text());
   EXPECT_GT(result.fault.last_second.rows(), 100);
@@ -138,7 +138,7 @@ TEST(PolishingRun, MissingSurface_EndsTheBaselineRun) {
   RunSpec spec = short_run(PlantKind::Ideal, ControllerKind::Baseline);
   spec.task.disturbances.surface_height = -0.5;
   const RunResult result = run_task(spec);
-  EXPECT_FALSE(result.polished);
+  EXPECT_FALSE(result.succeeded);
   EXPECT_FALSE(result.metrics.has_value());
   expect_words(result.outcome, {"no contact was made", "in phase approach"});
 }
@@ -147,7 +147,7 @@ TEST(PolishingRun, MissingSurface_IsAFaultOfTheController) {
   RunSpec spec = short_run(PlantKind::Ideal, ControllerKind::Mpc);
   spec.task.disturbances.surface_height = -0.1;
   const RunResult result = run_task(spec);
-  EXPECT_FALSE(result.polished);
+  EXPECT_FALSE(result.succeeded);
   EXPECT_EQ(result.fault.kind, FaultKind::NoContact);
   EXPECT_EQ(result.outcome, result.fault.text());
   expect_words(result.outcome, {"no contact at 2.", "moved 0.03", "m without contact"});
@@ -190,7 +190,7 @@ TEST(PolishingRun, NoisyForce_IsNotTakenForATouch) {
     spec.task.polish_duration = 0.5;
     spec.task.disturbances.force_noise = 2.0;
     const RunResult result = run_task(spec);
-    EXPECT_TRUE(result.polished) << result.outcome;
+    EXPECT_TRUE(result.succeeded) << result.outcome;
     const auto phase = result.trace.column("phase"), contact = result.trace.column("in_contact");
     int touch = 0, ramp = 0;
     while (contact[touch] == 0.0) ++touch;
@@ -242,7 +242,7 @@ TEST(PolishingRun, ProgressReturnsFalse_InterruptsTheRun) {
   };
   const RunResult result = run_task(spec);
   EXPECT_TRUE(result.interrupted);
-  EXPECT_FALSE(result.polished);
+  EXPECT_FALSE(result.succeeded);
   EXPECT_GE(seen, 0.3);
   EXPECT_LT(seen, 0.4);
   EXPECT_EQ(result.trace.rows(), static_cast<int>(std::lround(seen / 5e-4)));

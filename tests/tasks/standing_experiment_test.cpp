@@ -37,7 +37,7 @@ std::vector<double> searched(double max_survived, double step) {
   std::vector<double> forces;
   while (const auto force = next_push(direction, step)) {
     forces.push_back(*force);
-    note_push(*force, {.made = true, .polished = *force <= max_survived}, direction);
+    note_push(*force, {.made = true, .succeeded = *force <= max_survived}, direction);
   }
   EXPECT_LE(direction.largest_survived(), max_survived);
   EXPECT_GT(direction.largest_survived() + step, std::min(max_survived, largest_push));
@@ -53,7 +53,7 @@ TEST(Pushes, LargestSurvivedPush_IsFoundByBisection) {
   PushDirection direction;
   note_push(120.0, {.made = false}, direction);
   EXPECT_FALSE(next_push(direction, 10.0).has_value());
-  RunFigures lies{.made = true, .polished = true};
+  RunFigures lies{.made = true, .succeeded = true};
   lies.standing.emplace().base_tilt = 1.0;
   note_push(120.0, lies, direction);
   EXPECT_EQ(direction.largest_survived(), 0.0);

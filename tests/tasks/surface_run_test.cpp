@@ -39,7 +39,7 @@ class PolishedShape : public ::testing::TestWithParam<SurfaceShape> {};
 TEST_P(PolishedShape, Run_FollowsTheNormalOfTheShape) {
   if (!has_mujoco()) GTEST_SKIP() << "needs MuJoCo";
   const RunResult result = run_task(short_run(GetParam()));
-  EXPECT_TRUE(result.polished) << result.outcome;
+  EXPECT_TRUE(result.succeeded) << result.outcome;
   ASSERT_TRUE(result.metrics.has_value());
   EXPECT_LT(result.metrics->force_rmse, 0.5);
   EXPECT_LT(result.metrics->position_p95, 1e-3);
@@ -63,7 +63,7 @@ TEST(SurfaceRun, TiltAndCurvatureErrors_AreEstimated) {
     spec.task.disturbances.surface_height = 3e-3;
     spec.task.disturbances.surface_curvature = 1.2;
     const RunResult estimated = run_task(spec);
-    EXPECT_TRUE(estimated.polished) << estimated.outcome;
+    EXPECT_TRUE(estimated.succeeded) << estimated.outcome;
     spec.task.surface_estimate.enabled = false;
     const RunResult nominal = run_task(spec);
     ASSERT_TRUE(estimated.metrics && nominal.metrics);
@@ -83,7 +83,7 @@ TEST(SurfaceRun, SoftTiltedSurface_PathFollowsTheTrueNormal) {
   spec.task.path.start_up = 2.0;
   spec.task.polish_duration = 4.0;
   const RunResult result = run_task(spec);
-  EXPECT_TRUE(result.polished) << result.outcome;
+  EXPECT_TRUE(result.succeeded) << result.outcome;
   ASSERT_TRUE(result.metrics.has_value());
   EXPECT_LT(result.metrics->position_rmse, 1.5e-4);
 }
@@ -94,7 +94,7 @@ TEST(SurfaceRun, NoForceSensor_StillPolishes) {
   spec.task.force_sensor = false;
   spec.task.disturbances.surface_tilt_deg = {3.0, -2.0};
   const RunResult result = run_task(spec);
-  EXPECT_TRUE(result.polished) << result.outcome;
+  EXPECT_TRUE(result.succeeded) << result.outcome;
   ASSERT_TRUE(result.metrics.has_value());
   EXPECT_LT(result.metrics->force_rmse, 2.0);
   EXPECT_EQ(result.metrics->without_contact, 0.0);
@@ -112,7 +112,7 @@ TEST(SurfaceRun, ControllersWithoutPlans_FollowTheShape) {
     spec.controller = controller;
     spec.task.disturbances = {};
     const RunResult result = run_task(spec);
-    EXPECT_TRUE(result.polished) << name_of(controller) << ": " << result.outcome;
+    EXPECT_TRUE(result.succeeded) << name_of(controller) << ": " << result.outcome;
   }
 }
 

@@ -27,7 +27,7 @@ RunSpec faultless_run() {
 
 /// Expects a complete run that did not polish, with `words` in its outcome.
 void expect_failed(const RunResult& result, const std::vector<std::string>& words) {
-  EXPECT_FALSE(result.polished);
+  EXPECT_FALSE(result.succeeded);
   EXPECT_EQ(result.fault.kind, FaultKind::None);
   EXPECT_EQ(result.plant_status, Status::Ok);
   ASSERT_TRUE(result.verdict.has_value());
@@ -36,7 +36,7 @@ void expect_failed(const RunResult& result, const std::vector<std::string>& word
 
 TEST(PolishingVerdict, PlainRun_Passes) {
   const RunResult result = run_task(faultless_run());
-  EXPECT_TRUE(result.polished) << result.outcome;
+  EXPECT_TRUE(result.succeeded) << result.outcome;
   ASSERT_TRUE(result.verdict.has_value());
   EXPECT_EQ(result.verdict->contact_share, 1.0);
   EXPECT_LT(result.verdict->force_rmse, 1.0);
@@ -55,7 +55,7 @@ TEST(PolishingVerdict, LostContact_Fails) {
   spec.robot = load_task_robot(spec.task);
   spec.robot->model.q_lower.setConstant(-10.0);
   spec.robot->model.q_upper.setConstant(10.0);
-  EXPECT_TRUE(run_task(spec).polished);
+  EXPECT_TRUE(run_task(spec).succeeded);
 }
 
 TEST(PolishingVerdict, ForceError_Fails) {
@@ -103,7 +103,7 @@ TEST(PolishingVerdict, PathTooLongForItsTime_IsJudgedOnItsReachablePart) {
   spec.check_reach = false;
   EXPECT_NEAR(path_time(spec.task), (0.05 + 0.5 + 0.1 + 0.5) / 0.07 * 1.875, 1e-9);
   const RunResult result = run_task(spec);
-  EXPECT_TRUE(result.polished) << result.outcome;
+  EXPECT_TRUE(result.succeeded) << result.outcome;
   expect_words(result.outcome, {"polished: ", "cut short: ", "of the path in 1.5 s",
                                 "the whole path takes 30.8 s"});
   EXPECT_NEAR(result.verdict->path_share, 0.05 / 1.15, 0.02);
@@ -138,7 +138,7 @@ TEST(PolishingVerdict, StationaryPath_Passes) {
   spec.task.path.kind = PathKind::Points;
   spec.task.path.points = {{0.0, 0.0}};
   const RunResult result = run_task(spec);
-  EXPECT_TRUE(result.polished) << result.outcome;
+  EXPECT_TRUE(result.succeeded) << result.outcome;
   EXPECT_EQ(result.verdict->path_share, 1.0);
 }
 

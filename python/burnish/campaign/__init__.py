@@ -249,8 +249,8 @@ def merge(
 
 
 def _say(what: str, result: SweepResult, folder: RunFolder, names: Sequence[str]) -> None:
-    failed = sum(not row.outcome.done for row in result.rows)
-    print(f"{what}: {len(result.rows)} runs, {failed} of them not done\nin {folder.path}: {', '.join(names)}")
+    failed = sum(not row.outcome.succeeded for row in result.rows)
+    print(f"{what}: {len(result.rows)} runs, {failed} of them did not succeed\nin {folder.path}: {', '.join(names)}")
 
 
 def tune(

@@ -79,10 +79,10 @@ def _do(a: argparse.Namespace) -> int:
     if a.command == "sweep":
         result = sweep(a.file, scheduler=a.scheduler, out=a.out, resume=a.resume, shard=a.shard, mixed=a.mixed,
                        quiet=a.quiet, threads=a.threads, time_limit=a.time_limit, patience=a.patience)
-        return 0 if all(row.outcome.done for row in result.rows) else 1
+        return 0 if all(row.outcome.succeeded for row in result.rows) else 1
     if a.command == "merge":
         result = merge(a.folders, out=a.out, mixed=a.mixed, quiet=a.quiet)
-        return 0 if all(row.outcome.done for row in result.rows) else 1
+        return 0 if all(row.outcome.succeeded for row in result.rows) else 1
     if a.command == "tune":
         tuned = tune(a.file, scheduler=a.scheduler, out=a.out, resume=a.resume, mixed=a.mixed, quiet=a.quiet,
                      threads=a.threads, time_limit=a.time_limit, patience=a.patience)

@@ -27,7 +27,7 @@ def columns_of(result: SweepResult) -> List[Tuple[str, str, Callable[[Row], Any]
     units = result.sweep.task.units()
     for key in result.rows[0].point if result.rows else []:
         columns.append((key, units.get(key, ""), lambda row, key=key: row.point[key]))  # type: ignore[misc]
-    columns.append(("done", "", lambda row: row.outcome.done))
+    columns.append(("succeeded", "", lambda row: row.outcome.succeeded))
     for figure in result.figures:
         columns.append((bare(figure), unit(figure), lambda row, figure=figure:  # type: ignore[misc]
                         row.outcome.figures.get(figure, math.nan)))
@@ -219,8 +219,8 @@ _SHOWN = ("force_rmse_N", "force_peak_N", "position_rmse_m", "without_contact", 
 def page_text(result: SweepResult, worst: List[Tuple[Row, str]], command: str) -> str:
     """Returns the page of a campaign as HTML that needs no other file."""
     rows, figures = result.rows, [f for f in result.figures if result.values(f)]
-    done, units = sum(row.outcome.done for row in rows), result.sweep.task.units()
-    body = [f"<h1>{html.escape(result.sweep.name)}</h1><p>{len(rows)} runs, {done} done. "
+    succeeded, units = sum(row.outcome.succeeded for row in rows), result.sweep.task.units()
+    body = [f"<h1>{html.escape(result.sweep.name)}</h1><p>{len(rows)} runs, {succeeded} succeeded. "
             f"{html.escape(result.stopped)}</p>"]
     if result.kernels:
         body.append(f"<p>The runs used different kernels, whose results differ in their last digits: "
@@ -255,9 +255,9 @@ def page_text(result: SweepResult, worst: List[Tuple[Row, str]], command: str) -
             f'<p>Run {row.number}: {html.escape(row.outcome.outcome)} '
             f'{html.escape(_point_text(row.point, units))} (<a href="worst/run_{row.number}/run/">record</a>)</p>'
             f"<pre>{html.escape(words)}</pre>" for row, words in worst) + "</section>")
-    failed = [row for row in rows if not row.outcome.done]
+    failed = [row for row in rows if not row.outcome.succeeded]
     if failed:
-        body.append("<section><h2>Runs that were not done</h2>" + "".join(
+        body.append("<section><h2>Runs that did not succeed</h2>" + "".join(
             f"<p>Run {row.number}: {html.escape(row.outcome.outcome)}</p>" for row in failed[:100]) + (
             f"<p>and {len(failed) - 100} more</p>" if len(failed) > 100 else "") + "</section>")
     body.append(f"<section><h2>The campaign</h2><pre>{html.escape(result.sweep.text)}</pre>"

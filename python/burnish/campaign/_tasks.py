@@ -144,7 +144,7 @@ def make_task_run(program: str, words: List[str], text: str, folder: str, clock:
 class Outcome:
     """Outcome of a run."""
 
-    done: bool
+    succeeded: bool
     outcome: str
     figures: Dict[str, float]
     """Figures by their names in metrics.json, such as `force_rmse_N`, without measured times"""
@@ -155,7 +155,7 @@ class Outcome:
 
     def text(self) -> str:
         """Returns the data that are equal on all machines with the same kernels, as JSON."""
-        return json.dumps({"done": self.done, "outcome": self.outcome, "late": self.late,
+        return json.dumps({"succeeded": self.succeeded, "outcome": self.outcome, "late": self.late,
                            "figures": self.figures}, indent=1) + "\n"
 
     def times_text(self) -> str:
@@ -177,7 +177,7 @@ class Outcome:
         """
         tree, times = json.loads(text), json.loads(times_text)
         kernels = times.pop("kernels")
-        return Outcome(tree["done"], tree["outcome"], tree["figures"], times, tree["late"], kernels)
+        return Outcome(tree["succeeded"], tree["outcome"], tree["figures"], times, tree["late"], kernels)
 
 
 def kernels_of(outcomes: Iterable[Outcome], mixed: bool) -> str:
@@ -208,7 +208,7 @@ def outcome_of(result: Result) -> Outcome:
         for key, value in (tree or {}).items():
             times[f"{group}.{key}"] = float(value)
     outcome = str(run["outcome"]).partition(", simulated in")[0]
-    return Outcome(bool(run.get("polished", run.get("done", False))), outcome, figures, times,
+    return Outcome(bool(run.get("succeeded", False)), outcome, figures, times,
                    bool(result["late"]), str(run.get("kernels", "")))
 
 

@@ -240,7 +240,7 @@ class Tuner:
         self.start = {key.name: key.start for key in tuning.keys}
         self.evaluated: Dict[Tuple[float, ...], Tuple[float, List[float]]] = {}
         first = self.outcomes(self.start, tuning.train)
-        failed = [outcome for outcome in first if not outcome.done]
+        failed = [outcome for outcome in first if not outcome.succeeded]
         if failed:
             raise CampaignError(f"the unchanged task fails on a training run: {failed[0].outcome}; wanted a task whose "
                                 f"training runs succeed")
@@ -309,7 +309,7 @@ class Tuner:
             if len(self.evaluated) >= self.tuning.evaluations:
                 raise _Enough
             outcomes = self.outcomes(values, self.tuning.train)
-            if all(outcome.done for outcome in outcomes):
+            if all(outcome.succeeded for outcome in outcomes):
                 self.evaluated[at] = (statistics.fmean(self._ratios(outcomes, self.tuning.minimise)), [
                     ratio - 1.0 - self.tuning.slack
                     for figure in self.kept for ratio in self._ratios(outcomes, figure)])
@@ -433,9 +433,9 @@ def difference(before: Sequence[float], after: Sequence[float]) -> Tuple[float, 
 
 def compare(before: Sequence[Outcome], after: Sequence[Outcome], figures: Sequence[str],
             slack: Mapping[str, float]) -> List[Dict[str, Any]]:
-    """Row for each figure, over the pairs of runs that are both done. `slack` has the figures for which lower is
+    """Row for each figure, over the pairs of runs that both succeeded. `slack` has the figures for which lower is
     better, and the allowed increase as a fraction of the mean before. Other figures are only lower or higher."""
-    pairs = [(a, b) for a, b in zip(before, after) if a.done and b.done]
+    pairs = [(a, b) for a, b in zip(before, after) if a.succeeded and b.succeeded]
     rows = []
     for figure in figures:
         a, b = ([outcome.figures.get(figure, math.nan) for outcome in side] for side in (
@@ -464,7 +464,7 @@ def tune(tuner: Tuner) -> Tuned:
         [Row(0, {}, TaskRun("", ()), outcome) for outcome in before])]))
     asked = {**{figure: tuning.slack for figure in tuning.not_worse}, tuning.minimise: 0.0}
     table = compare(before, after, figures, asked)
-    failed = [sum(not outcome.done for outcome in side) for side in (before, after)]
+    failed = [sum(not outcome.succeeded for outcome in side) for side in (before, after)]
     table.append({"figure": FAILURES, "start": failed[0], "tuned": failed[1],
                   "change": failed[1] - failed[0], "half": 0.0,
                   "verdict": "worse" if failed[1] > failed[0] else "better" if failed[1] < failed[0] else "the same"})

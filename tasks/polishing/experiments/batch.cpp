@@ -142,7 +142,7 @@ RunFigures perform(const BatchRun& run, const RunProgress& progress) {
   spec.progress = progress;
   const RunResult result = run_task(spec);
   RunFigures figure = figures_of(run.name, spec.task, result);
-  if (run.measure && figure.polished) figure.measured = run.measure(result);
+  if (run.measure && figure.succeeded) figure.measured = run.measure(result);
   if (!run.curves.empty()) figure.curves = curves_of(result, run.curves);
   figure.made = !result.interrupted;
   return figure;
@@ -258,7 +258,7 @@ std::vector<RunFigures> run_batch(const ExperimentSpec& spec, const std::vector<
   });
   for (const RunFigures& run : figures) {
     counts.made += run.made ? 1 : 0;
-    counts.failed += run.made && !run.polished ? 1 : 0;
+    counts.failed += run.made && !run.succeeded ? 1 : 0;
   }
   counts.made -= counts.found;
   if (spec.counts != nullptr) *spec.counts = counts;
@@ -306,7 +306,7 @@ void note_failures(const ExperimentSpec& spec, const std::vector<RunFigures>& ru
   long stopped = 0;
   for (const RunFigures& run : runs) {
     stopped += run.made ? 0 : 1;
-    if (run.made && !run.polished) report.failures.push_back(run.name + ": " + run.outcome);
+    if (run.made && !run.succeeded) report.failures.push_back(run.name + ": " + run.outcome);
   }
   if (stopped > 0)
     report.failures.push_back(std::to_string(stopped) + " of " + std::to_string(runs.size()) +

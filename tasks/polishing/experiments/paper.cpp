@@ -70,7 +70,7 @@ ResultTable summary_table(const std::vector<FigureGroup>& groups,
   for (const FigureGroup& group : groups) {
     const std::vector<RunFigures> all = members(group, runs);
     const auto polished =
-        std::count_if(all.begin(), all.end(), [](const RunFigures& run) { return run.polished; });
+        std::count_if(all.begin(), all.end(), [](const RunFigures& run) { return run.succeeded; });
     std::vector<ResultCell> row{group.surface, group.disturbances, name_of(group.controller),
                                 static_cast<double>(all.size()), static_cast<double>(polished)};
     add_cells(summary, all, row);

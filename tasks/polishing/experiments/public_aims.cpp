@@ -89,7 +89,7 @@ bool all_made(const std::vector<RunFigures>& runs) {
 
 int polished_of(const std::vector<RunFigures>& runs) {
   return static_cast<int>(
-      std::count_if(runs.begin(), runs.end(), [](const RunFigures& run) { return run.polished; }));
+      std::count_if(runs.begin(), runs.end(), [](const RunFigures& run) { return run.succeeded; }));
 }
 
 std::string refusal_of(const std::vector<RunFigures>& runs) {

@@ -28,7 +28,7 @@ constexpr Tolerance tolerances[] = {{"force_rmse", "force", 1.1, 0.01},
 double median(const std::vector<RunFigures>& runs, const char* figure) {
   std::vector<double> values;
   for (const RunFigures& run : runs)
-    if (run.polished) values.push_back(run[figure]);
+    if (run.succeeded) values.push_back(run[figure]);
   return shown(figure, quantile_of(values, 0.5));
 }
 
@@ -199,7 +199,7 @@ ResultTable delays_table(const std::vector<ArmTrial>& trials,
       table.columns.push_back({trial.name(), "N"});
       table.columns.push_back({"outcome"});
     }
-    aim->count(trial.bench->arm.name, run.polished);
+    aim->count(trial.bench->arm.name, run.succeeded);
     if (run.refused) continue;
     if (trial.bench != before)
       rows.push_back({trial.bench->arm.name, trial.bench->surface,
@@ -209,7 +209,7 @@ ResultTable delays_table(const std::vector<ArmTrial>& trials,
     const auto at = to_size(4 + 2 * (aim - aims.begin()));
     rows.back().resize(at);  // keeps the cells before the figures, because a stopped run has none
     rows.back().emplace_back(shown("force_rmse", run["force_rmse"]));
-    rows.back().emplace_back(run.polished ? std::string("polished") : run.outcome);
+    rows.back().emplace_back(run.succeeded ? std::string("polished") : run.outcome);
   }
   for (std::vector<ResultCell>& row : rows) row.resize(table.columns.size());
   for (std::vector<ResultCell>& row : rows) table.add(std::move(row));

@@ -63,7 +63,7 @@ struct StandingRun {
                                                      .plan_rate = 0.0,
                                                      .progress = progress});
     RunFigures figure{.name = name, .outcome = result.outcome, .made = !result.interrupted};
-    figure.polished = result.done;
+    figure.succeeded = result.succeeded;
     figure.fault = result.fault.kind;
     figure.finite = all_finite(result.trace);
     figure.seed = task.disturbances.seed;
@@ -100,7 +100,7 @@ double number_of(const std::vector<RunFigures>& runs, const Counts& counts) {
 
 std::vector<ResultCell> cells_of(const PublicRobot& robot, const std::vector<RunFigures>& runs) {
   const RunFigures& first = runs.front();
-  const auto bad = std::ranges::find_if(runs, [](const RunFigures& run) { return !run.polished; });
+  const auto bad = std::ranges::find_if(runs, [](const RunFigures& run) { return !run.succeeded; });
   return {robot.name,
           robot.task,
           measured(first, public_figures::mass),

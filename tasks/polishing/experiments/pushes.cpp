@@ -98,7 +98,7 @@ BatchRun push_run(const ExperimentSpec& spec, const Task& task, const std::strin
 }
 
 void note_push(double force, const RunFigures& run, PushDirection& direction) {
-  direction.tried.push_back({force, run, run.made && run.polished && !fell(run)});
+  direction.tried.push_back({force, run, run.made && run.succeeded && !fell(run)});
 }
 
 ResultTable pushes_table(const std::vector<PushDirection>& directions) {

@@ -116,7 +116,7 @@ ResultTable summary_table(const std::vector<Entry>& entries, const std::vector<R
     std::vector<RunFigures> all;
     for (const int index : entry.runs) all.push_back(runs[to_size(index)]);
     const auto polished =
-        std::count_if(all.begin(), all.end(), [](const RunFigures& run) { return run.polished; });
+        std::count_if(all.begin(), all.end(), [](const RunFigures& run) { return run.succeeded; });
     std::vector<ResultCell> row{entry.name,
                                 entry.holder.tool,
                                 entry.surface,
@@ -225,7 +225,7 @@ ExperimentReport perform_robots(const ExperimentSpec& spec) {
   if (ResultTable reasons = reasons_table(entries); !reasons.rows.empty())
     report.tables.push_back(std::move(reasons));
   const auto polished = std::count_if(figures.begin(), figures.end(),
-                                      [](const RunFigures& run) { return run.polished; });
+                                      [](const RunFigures& run) { return run.succeeded; });
   report.findings.push_back(std::to_string(polished) + " of " + std::to_string(figures.size()) +
                             " runs polished.");
   // Reports a robot that cannot hold a tool as a failure only if the user named this robot.

@@ -111,7 +111,7 @@ RunFigures figures_of(const std::string& name, const Task& task, const RunResult
   // Removes the computing time from the text, because it differs between runs.
   if (const auto at = f.outcome.find(", simulated in"); at != std::string::npos)
     f.outcome.erase(at);
-  f.polished = result.polished;
+  f.succeeded = result.succeeded;
   f.fault = result.fault.kind;
   f.seed = task.disturbances.seed;
   f.finite = all_finite(result.trace);
@@ -139,7 +139,7 @@ std::vector<ResultColumn> run_columns() {
 }
 
 std::vector<ResultCell> run_cells(const RunFigures& run) {
-  std::vector<ResultCell> cells{std::string(run.polished ? "yes" : "no")};
+  std::vector<ResultCell> cells{std::string(run.succeeded ? "yes" : "no")};
   for (const char* figure : figures_of_a_row) cells.emplace_back(shown(figure, run[figure]));
   cells.emplace_back(run.outcome);
   return cells;

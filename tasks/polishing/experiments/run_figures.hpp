@@ -21,7 +21,7 @@ struct RunFigures {
   bool made = false;         ///< True unless the run was omitted or stopped from outside.
   bool refused = false;      ///< True if rejected before the simulation; `outcome` has the reason.
   bool late = false;         ///< True if the limit of the computing time ended the run.
-  bool polished = false;
+  bool succeeded = false;
   FaultKind fault = FaultKind::None;
   std::uint64_t seed = 0;
   bool finite = true;                            ///< True if the trace has no NaN or infinity.

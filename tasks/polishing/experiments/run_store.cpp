@@ -156,7 +156,7 @@ Node result_node(const RunFigures& run) {
   put(map, "run", text_node(run.name));
   put(map, "seed", text_node(std::to_string(run.seed)));
   put(map, "outcome", text_node(run.outcome));
-  put(map, "polished", flag_node(run.polished));
+  put(map, "succeeded", flag_node(run.succeeded));
   put(map, "refused", flag_node(run.refused));
   put(map, "late", flag_node(run.late));
   put(map, "fault", text_node(std::string(burnish::name_of(run.fault))));
@@ -189,7 +189,7 @@ RunFigures read_result(const fs::path& result, const fs::path& times) {
   run.name = text_in(map["run"]);
   map["seed"].named([&] { run.seed = std::stoull(map["seed"].text()); });
   run.outcome = text_in(map["outcome"]);
-  run.polished = map["polished"].yes_or_no();
+  run.succeeded = map["succeeded"].yes_or_no();
   run.refused = map["refused"].yes_or_no();
   run.late = map["late"].yes_or_no();
   run.fault = fault_named(map["fault"]);

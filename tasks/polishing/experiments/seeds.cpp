@@ -20,7 +20,7 @@ constexpr double diverged_position = 0.02;  // rms error of the position [m]
 
 bool diverged(const RunFigures& run) {
   if (!run.made) return false;
-  return !run.polished || !run.finite || !(run["force_rmse"] <= diverged_force) ||
+  return !run.succeeded || !run.finite || !(run["force_rmse"] <= diverged_force) ||
          !(run["position_rmse"] <= diverged_position);
 }
 
@@ -148,12 +148,12 @@ ResultTable outcomes_table(const std::vector<RunFigures>& figures) {
   std::map<std::string, double> faults, others;
   for (const RunFigures& run : figures) {
     if (!run.made) continue;
-    polished += run.polished ? 1.0 : 0.0;
+    polished += run.succeeded ? 1.0 : 0.0;
     not_finite += run.finite ? 0.0 : 1.0;
     strayed += diverged(run) ? 1.0 : 0.0;
     if (run.fault != FaultKind::None)
       faults["fault: " + std::string(name_of(run.fault))] += 1.0;
-    else if (!run.polished)
+    else if (!run.succeeded)
       // Omits the details after the colon, because they differ between runs.
       others[run.outcome.substr(0, run.outcome.find(':'))] += 1.0;
   }

@@ -140,7 +140,7 @@ ResultTable summary_table(const std::vector<StandingGroup>& groups) {
         std::string(group.what->name),
         group.disturbances,
         count_of(group.runs, [](const RunFigures& run) { return run.made; }),
-        count_of(group.runs, [](const RunFigures& run) { return run.polished; }),
+        count_of(group.runs, [](const RunFigures& run) { return run.succeeded; }),
         count_of(group.runs, fell),
         count_of(group.runs, [](const RunFigures& run) { return run.fault != FaultKind::None; })};
     add_cells(summary, group.runs, row);

@@ -124,7 +124,7 @@ ResultTable aims_table(const std::vector<SurfaceCase>& cases, ExperimentReport& 
   int met = 0;
   for (const SurfaceCase& of : cases) {
     const auto polished = std::count_if(of.runs.begin(), of.runs.end(),
-                                        [](const RunFigures& run) { return run.polished; });
+                                        [](const RunFigures& run) { return run.succeeded; });
     std::vector<ResultCell> row{of.group, of.name, static_cast<double>(of.runs.size()),
                                 static_cast<double>(polished)};
     add_cells(summary, of.runs, row);

@@ -21,7 +21,7 @@ struct RateTimes {
   /// Returns whether the run polished, had 99 % of its plans in time, and has at most the force
   /// error of `slowest`, the run with the lowest rate of plans.
   bool holds(const RunFigures& slowest) const {
-    return run.polished && plans().updates > 0 && plans().p99 < 1.0 / rate &&
+    return run.succeeded && plans().updates > 0 && plans().p99 < 1.0 / rate &&
            run["force_rmse"] <= slowest["force_rmse"] + 1e-9;
   }
 };

@@ -67,7 +67,7 @@ ResultTable summary_table(const std::vector<TiltGroup>& groups) {
   add_columns(summary, table);
   for (const TiltGroup& group : groups) {
     const auto polished = std::count_if(group.runs.begin(), group.runs.end(),
-                                        [](const RunFigures& run) { return run.polished; });
+                                        [](const RunFigures& run) { return run.succeeded; });
     std::vector<ResultCell> row{std::string(group.loop ? "on" : "off"), group.tilt,
                                 static_cast<double>(group.runs.size()),
                                 static_cast<double>(polished)};

@@ -40,7 +40,7 @@ Json run_json(const PolishJob& job, const RunResult& result) {
             {"plant", name_of(job.spec.plant)},
             {"kernels", instruction_set()},
             {"seed", job.spec.task.disturbances.seed},
-            {"polished", result.polished},
+            {"succeeded", result.succeeded},
             {"outcome", result.outcome},
             {"fault", fault_json(result.fault)}};
   json["verdict"] = result.verdict ? verdict_json(job.spec.task, *result.verdict) : Json(nullptr);

@@ -65,7 +65,7 @@ RunPage make_run_page(const PolishJob& job, const RunResult& result, int record_
   RunPage page{.name = job.name,
                .facts = facts_of(job, result),
                .command = job.command.empty() ? command_of(job.spec) : job.command,
-               .succeeded = result.polished,
+               .succeeded = result.succeeded,
                .metrics = page_metrics(result.metrics),
                .task_file = task_text(task),
                .robot = drawing_of(result.setting.robot, task.robot, result.setting.q_start)};

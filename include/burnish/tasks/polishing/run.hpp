@@ -69,19 +69,18 @@ struct RestFigures {
   double slip = 0.0;
 };
 
-/// Result of run_task(). `outcome` is one of three texts: "polished: ...", the problem that ended
-/// the run, or "not polished: ..." with the results that miss their requirements. If the time was
-/// too short for the path, "cut short: ..." is added.
+/// Result of run_task(). `succeeded` is true if three conditions are met: the tool followed the
+/// path for the whole time on the path without a fault, the results meet the requirements in
+/// Task::verdict, and no joint was more than 1e-3 rad (m) beyond its limits. `outcome` is one of
+/// three texts: "polished: ...", the problem that ended the run, or "not polished: ..." with the
+/// results that miss their requirements. If the time was too short for the path, "cut short: ..."
+/// is added.
 struct RunResult : TaskRun {
   Setting setting;
   ReachReport reach;  ///< Result of check_reach(); empty if the reach was not checked.
   /// Gains that fit_gains() changed, such as "model_error.transient_scale 1 in place of 6, ...";
   /// empty if there are none.
   std::string fitted;
-  /// True if three conditions are met: the tool followed the path for the whole time on the path
-  /// without a fault, the results meet the requirements in Task::verdict, and no joint was more
-  /// than 1e-3 rad (m) beyond its limits.
-  bool polished = false;
   /// Metrics of the time on the path, without the start-up of a circle or spiral. None if the path
   /// was never reached.
   std::optional<Metrics> metrics;

@@ -206,7 +206,6 @@ struct HoldFigures {
 /// Result of run_task().
 struct RunResult : TaskRun {
   Setting setting;
-  bool done = false;  ///< True if the run reached its end without a fault.
   /// Metrics of the time from 0.2 s after the force ramp to 0.02 s before the retreat. None if the
   /// run ended less than about 0.5 s after the ramp.
   std::optional<Metrics> metrics;

@@ -328,7 +328,6 @@ struct PushFigures {
 /// Result of run_task().
 struct RunResult : TaskRun {
   Setting setting;
-  bool done = false;  ///< True if the run reached its end without a fault.
   /// Statistics of the push. None if the run ended less than about 0.3 s after the force ramp.
   std::optional<PushFigures> push;
   Limit limit = Limit::None;  ///< Condition that ended the search for the largest force.

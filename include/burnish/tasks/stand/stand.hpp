@@ -252,7 +252,6 @@ struct SwayFigures {
 /// Result of run_task().
 struct RunResult : TaskRun {
   Setting setting;
-  bool done = false;  ///< True if the run reached its end without a fault and without a fall.
   /// True if the robot had fallen when the run ended. A robot has fallen if its true centre of mass
   /// lost more than half of its height above the feet, or if its base turned by more than 1 rad.
   bool fell = false;
