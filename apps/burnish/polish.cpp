@@ -293,11 +293,11 @@ std::vector<std::string> write_last(const PolishJob& job, const PolishArguments&
                                     const fs::path& folder, Outcomes& outcomes) {
   const RunResult& result = outcomes.results.back();
   std::vector<std::string> names;
-  outcomes.summary.push_back(run_json(job, result));
+  const pressing::RecordedRun record = recorded(job, result);
+  outcomes.summary.push_back(run_json(record));
   outcomes.write([&] {
-    names =
-        write_run(job, result, {.record_every = arguments.record_every, .plots = arguments.plots},
-                  folder / job.name, outcomes.pages);
+    names = write_run(record, {.record_every = arguments.record_every, .plots = arguments.plots},
+                      folder / job.name, outcomes.pages);
     write_text(folder / "summary.json", json_text(outcomes.summary));
   });
   return names;

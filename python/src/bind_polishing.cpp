@@ -395,8 +395,8 @@ std::string repr_of(const Run& run) {
 
 py::tuple state_of_run(const Run& run) {
   const RunResult& r = run.result;
-  return py::make_tuple(run.spec, state_of(r), r.setting, r.reach, r.fitted, r.metrics,
-                        r.verdict, r.rest);
+  return py::make_tuple(run.spec, state_of(r), r.setting, r.reach, r.fitted, r.metrics, r.verdict,
+                        r.rest);
 }
 
 Run run_of(const py::tuple& state) {
@@ -452,8 +452,10 @@ void bind_result(py::module_& m) {
 #ifdef BURNISH_HAS_RECORD
   const auto write = [](const Run& run, const std::string& name, const RunFilesOptions& options,
                         const std::filesystem::path& folder, PageWriter& pages) {
-    return write_run({.name = name, .place = name, .spec = run.spec}, run.result, options, folder,
-                     pages);
+    PolishJob job;
+    job.name = job.place = name;
+    job.spec = run.spec;
+    return pressing::write_run(recorded(job, run.result), options, folder, pages);
   };
   bind_write(run_class, write, "burnish polish");
 #else

@@ -8,7 +8,7 @@ pressing::RecordedRun recorded(const pressing::NamedRun<RunSpec>& run, const Run
   const Task& task = run.spec.task;
   const Setting& setting = result.setting;
   pressing::RecordedRun record = pressing::record_of("press_hold", run, result);
-  record.force = number(task.force) + " N";
+  record.facts.insert(record.facts.begin() + 2, {"force", number(task.force) + " N"});
   record.surface = setting.scene.tool().surface;
   record.surface_axes = setting.surface_axes;
   record.origin_world = setting.p_hold;

@@ -39,21 +39,27 @@ struct RecordedRun {
   const SceneSpec& scene;          ///< Nominal scene, which the controller assumes.
 
   // Members that each task sets.
-  std::string force = {};  ///< Force with unit, such as "30 N"; empty if the task does not press.
+  /// Facts about the run at the top of the page, such as the robot, by their names.
+  std::vector<std::pair<std::string, std::string>> facts = {};
   /// Nominal surface that the page draws, in the world.
   SurfaceSpec surface = {};
+  std::string surface_frame = {};  ///< Frame of the robot that carries the surface; empty: none.
   /// Axes of the surface in the world, as columns: two tangents and the normal.
   Eigen::Matrix3d surface_axes = Eigen::Matrix3d::Identity();
   /// Origin of the coordinates along the surface, in the world [m].
   Eigen::Vector3d origin_world = Eigen::Vector3d::Zero();
+  /// Path that the page draws, in coordinates along the surface (first two axes) [m].
+  Eigen::VectorXd path_u = Eigen::VectorXd::Zero(2), path_w = path_u;
   /// Names of the phases, by their number in the trace.
   std::vector<std::string> phase_names = {};
   int phase = 0;                 ///< Phase that has its own plots, for tasks with a tool.
   std::string phase_title = {};  ///< Title of the plots of `phase`, such as "while it holds".
   double update_period = 0.0;    ///< Time between two plans [s].
+  bool plans = true;             ///< Whether the controller plans and estimates the force.
   std::optional<Metrics> metrics = {};
   OwnFigures figures = {};
-  Json more = Json::object();  ///< Further entries of metrics.json.
+  Json facts_json = Json::object();  ///< Further entries of metrics.json, after the task.
+  Json more = Json::object();        ///< Further entries of metrics.json, after the metrics.
   /// Postures that the HTML page shows (nq), by name.
   std::map<std::string, Eigen::VectorXd> postures = {};
 };
@@ -73,7 +79,11 @@ RecordedRun record_of(const std::string& task, const NamedRun<RunSpec>& run,
           .run = result,
           .robot = result.setting.robot,
           .q_start = result.setting.q_start,
-          .scene = result.setting.scene};
+          .scene = result.setting.scene,
+          .facts = {{"task", task},
+                    {"robot", run.spec.task.robot},
+                    {"plant", name_of(run.spec.plant)},
+                    {"seed", std::to_string(run.spec.task.disturbances.seed)}}};
 }
 
 /// Returns `figures` (statistics) as JSON and as entries of the HTML page; both results are empty

@@ -9,7 +9,7 @@ pressing::RecordedRun recorded(const pressing::NamedRun<RunSpec>& run, const Run
   const Task& task = run.spec.task;
   const Setting& setting = result.setting;
   pressing::RecordedRun record = pressing::record_of("push_wall", run, result);
-  record.force = number(task.force) + " N of each hand";
+  record.facts.insert(record.facts.begin() + 2, {"force", number(task.force) + " N of each hand"});
   record.surface = setting.scene.touches.back().surface;
   record.origin_world = setting.p_hands.col(1);
   record.update_period = 1.0 / task.update_rate;
