@@ -365,6 +365,8 @@ void check_write_posture(const PolishArguments& arguments, const std::vector<Pol
   settings_file_of(jobs.front().spec.task.robot);
 }
 
+}  // namespace
+
 int polish(const PolishArguments& arguments) {
   Texts texts;
   std::vector<PolishJob> jobs = make_jobs(arguments, texts);
@@ -396,8 +398,6 @@ int polish(const PolishArguments& arguments) {
                                      [](const RunResult& result) { return result.succeeded; });
   return succeeded && !StopRequest::asked() ? exit_ok : exit_failed;
 }
-
-}  // namespace
 
 void add_polish(CLI::App& app, int& exit_code) {
   CLI::App* command = app.add_subcommand(

@@ -10,10 +10,12 @@
 #include "base/whole_file.hpp"
 #include "base/yaml_word.hpp"
 #include "burnish/tasks/polishing/margins.hpp"
+#include "burnish/tasks/polishing/run.hpp"
 #include "burnish/tasks/pressing/plants.hpp"
 #include "command.hpp"
 #include "named_tasks.hpp"
 #include "plan_steps.hpp"
+#include "polish_arguments.hpp"
 #include "pressing/closed_run.hpp"
 #include "pressing/recorded_run.hpp"
 #include "pressing/task_form.hpp"
@@ -29,15 +31,6 @@
 
 namespace burnish::app {
 namespace {
-
-struct RunArguments {
-  std::string file, robot, tool, plant, out, write_task;
-  std::vector<std::string> overrides;
-  std::vector<int> seeds;
-  int record_every = 10;
-  bool no_page = false, plots = false, mcap = false, force = false, strict = false;
-  bool unchecked = false, quiet = false, json = false;
-};
 
 /// Returns the overrides of task keys that --robot, --tool, --set and `seed` imply.
 std::vector<files::Override> changes_of(const RunArguments& a, std::optional<int> seed) {
@@ -106,7 +99,7 @@ void print_notes(const RunArguments& a, const std::string& name, const RunSpec& 
     for (const std::string& note : setting_notes(spec.task, *spec.setting))
       fmt::print(stderr, "burnish: note: {}\n", note);
   if constexpr (requires { spec.task.stiffness; })
-    print_margins(name, spec.task, make_mpc(spec.task, *spec.setting), !a.quiet && !a.json);
+    print_margins(name, spec.task, make_mpc(spec.task, *spec.setting), a.talks());
 }
 
 /// Reads and checks the task and the robot, and returns the specification of the run with this
@@ -158,7 +151,7 @@ struct RunOutcomes {
 template <class Run>
 void make_run(Run& run, const RunArguments& a, const std::filesystem::path& folder,
               RunOutcomes& outcomes) {
-  const bool talks = !a.quiet && !a.json, bar = talks && isatty(STDERR_FILENO) != 0;
+  const bool talks = a.talks(), bar = talks && isatty(STDERR_FILENO) != 0;
   RunProgressText text(run.name, bar);
   run.spec.progress = [&](double time, double end) {
     text.show(time, end);
@@ -228,11 +221,19 @@ int run_as(const RunArguments& a) {
   return outcomes.succeeded ? exit_ok : exit_failed;
 }
 
+/// Runs a polishing task with the MPC, as `burnish polish` does.
+int run_polishing(const RunArguments& a) {
+  PolishArguments of{a};
+  of.controller = name_of(polishing::ControllerKind::Mpc);
+  return polish(of);
+}
+
 /// Runs the task that the file selects. A file without the key `task` is read as the first task in
 /// the table; its reader then reports the missing key.
 int run(const RunArguments& arguments) {
   const std::string& file = arguments.file;
   refuse_other_file(file, "run", "burnish run TASK --robot");
+  if (is_polishing_task(file)) return run_polishing(arguments);
   const auto task = files::Reader::parse(read_text(file, "YAML file"), file).find("task");
   std::optional<int> code;
   std::function<int()> first;
@@ -257,72 +258,22 @@ std::string what_tasks_do() {
   return text;
 }
 
-/// Adds the options that select the runs.
-void add_run_task_options(CLI::App* command, RunArguments& a) {
-  command->add_option("TASK", a.file, "Task file, with a key such as `task: press_hold`")
-      ->type_name("")
-      ->required();
-  command
-      ->add_option(
-          "--robot", a.robot,
-          "Robot: name, URDF or MJCF file, folder or settings file; :variant may follow [from the "
-          "task file]")
-      ->type_name("ROBOT");
-  command
-      ->add_option("--tool", a.tool,
-                   "Frame with its origin at the centre of the round tip [from the task file]")
-      ->type_name("FRAME");
-  command
-      ->add_option("--set", a.overrides, "Set a key of the task file, such as force=20; repeatable")
-      ->type_name("PATH=VALUE")
-      ->allow_extra_args(false);
-  command
-      ->add_option("--seed", a.seeds,
-                   "Seed of the random disturbances; repeat for more runs [from the task file]")
-      ->type_name("N")
-      ->check(CLI::NonNegativeNumber)
-      ->allow_extra_args(false);
-  command
-      ->add_option("--plant", a.plant,
-                   has_mujoco() ? "Simulator: mujoco or ideal [mujoco]"
-                                : "Simulator: ideal; this build has no MuJoCo [ideal]")
-      ->type_name("NAME")
-      ->check(CLI::IsMember({"mujoco", "ideal"}));
-}
-
-/// Adds the options that select files to write and text to print.
-void add_run_output_options(CLI::App* command, RunArguments& a) {
-  command->add_option("--out", a.out, "Output folder [a new one: TASK_run, TASK_run_2, ...]")
-      ->type_name("DIR");
-  command->add_flag("--force", a.force, "Replace the run in the output folder");
-  command
-      ->add_option("--record-every", a.record_every,
-                   "Number of plant steps between rows of trace.csv [10]")
-      ->type_name("N")
-      ->check(CLI::PositiveNumber);
-  command->add_flag("--no-page", a.no_page, "Omit run.json and run.html");
-  command->add_flag("--plots", a.plots,
-                    "Write force.svg, path.svg, torques.svg and solver.svg as well. The page "
-                    "shows the same curves; --no-page implies --plots");
-  command->add_flag("--mcap", a.mcap, "Write run.mcap as well, a recording for Foxglove");
-  command->add_flag("--unchecked", a.unchecked, "Run even if the reach check fails");
-  command
-      ->add_option("--write-task", a.write_task,
-                   "Write the task to a file, with an explanation of every key, and exit")
-      ->type_name("FILE");
-  command->add_flag("--quiet", a.quiet, "Print nothing unless the run fails");
-  command->add_flag("--json", a.json, "Print metrics.json and nothing else");
-  add_strict(*command, a.strict);
-}
-
 }  // namespace
 
 void add_run(CLI::App& app, int& exit_code) {
   CLI::App* command =
-      app.add_subcommand("run", "Simulate a task other than polishing, such as press_hold");
+      app.add_subcommand("run", "Simulate the task of a task file, such as press_hold");
   const auto arguments = std::make_shared<RunArguments>();
-  add_run_task_options(command, *arguments);
-  add_run_output_options(command, *arguments);
+  command->add_option("TASK", arguments->file, "Task file, with a key such as `task: press_hold`")
+      ->type_name("")
+      ->required();
+  add_run_options(*command, *arguments,
+                  {.robot = "from the task file",
+                   .tool = "from the task file",
+                   .out = "TASK_run, TASK_run_2, ...",
+                   .key = "PATH=VALUE",
+                   .quiet = "Print nothing unless the run fails",
+                   .json = "Print metrics.json and nothing else"});
   command->footer(
       "Examples:\n"
       "  burnish run tasks/press_hold/arm7.yaml\n"
@@ -338,8 +289,9 @@ void add_run(CLI::App& app, int& exit_code) {
       ".\n\nWrites trace.csv, metrics.json, task.yaml, run.html, run.json and, after a fault,\n"
       "fault.txt and last_second.csv. Ctrl-C (or SIGTERM, or SIGHUP) ends the run and writes the\n"
       "results so far. With several seeds, writes a folder for each, summary.json and\n"
-      "comparison.html, and prints a table. docs/tasks.md describes tasks; for polishing, use\n"
-      "burnish polish.\n"
+      "comparison.html, and prints a table. docs/tasks.md describes tasks. A polishing task runs "
+      "as\n"
+      "with burnish polish --controller mpc.\n"
       "Exit codes: 0 succeeded; 1 not: a fault or an interruption; 2 invalid input.");
   command->callback([arguments, &exit_code] { exit_code = run(*arguments); });
 }

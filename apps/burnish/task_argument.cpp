@@ -53,6 +53,14 @@ FileKind kind_of_file(const std::string& file) {
   if (has("surface")) return {"a task file of burnish polish", "polish"};
   return {};
 }
+}  // namespace
+
+bool is_polishing_task(const std::string& file) {
+  std::error_code ignored;
+  return std::filesystem::is_regular_file(file, ignored) && kind_of_file(file).command == "polish";
+}
+
+namespace {
 void refuse_robot(const std::string& file, const std::string& option) {
   const std::string kind = std::filesystem::path(file).extension().string();
   std::error_code ignored;
@@ -87,7 +95,8 @@ void refuse_file_of_another_command(const std::string& file, const std::string& 
       !std::filesystem::is_regular_file(file, ignored))
     return;
   const FileKind kind = kind_of_file(file);
-  if (kind.command.empty() || kind.command == wanted) return;
+  const bool is_task = kind.command == "polish" && wanted == "run";  // `run` runs all tasks
+  if (kind.command.empty() || kind.command == wanted || is_task) return;
   throw Error(fmt::format("{} is {}; wanted {}; did you mean burnish {} {}?", in_quotes(file),
                           kind.what, wanted_of(wanted), kind.command, shell_word(file)));
 }

@@ -13,9 +13,12 @@ namespace burnish::app {
 /// description such as "tilt_30_sphere" if settings change the normal or shape of the surface.
 std::string place_name(const std::string& surface, const polishing::Task& task);
 
+/// Returns true for a file with a task of polishing, by its top-level keys.
+bool is_polishing_task(const std::string& file);
+
 /// Throws Error if `file` describes a robot, or is a task for another command. `wanted`: command
-/// that reads the file, "polish" or "run". For a robot, the message names `robot_option`, the
-/// option that takes robots.
+/// that reads the file, "polish" or "run" (all tasks). For a robot, the message names
+/// `robot_option`, the option that takes robots.
 void refuse_other_file(const std::string& file, const std::string& wanted,
                        const std::string& robot_option);
 

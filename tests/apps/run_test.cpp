@@ -162,11 +162,26 @@ TEST(RunCommand, UnknownFeetOnTheCommandLine_AreRefused) {
   }
 }
 
+TEST(RunCommand, PolishingTask_RunsTheMpc) {
+  const Scratch scratch;
+  const Outcome outcome =
+      run_task_text(scratch, "task: polishing\nsurface: table\nphases: {polish_duration: 0.6}\n",
+                    " --no-page --json --set path.start_up=0.2 --set phases.reach_duration=0.2"
+                    " --set verdict.force_rmse=0.2");
+  EXPECT_EQ(outcome.exit_code, 0) << outcome.out << outcome.err;
+  const Json summary = Json::parse(outcome.out);
+  ASSERT_EQ(summary.size(), 1U);
+  EXPECT_EQ(summary[0]["task"], "polishing");
+  EXPECT_EQ(summary[0]["controller"], "mpc");
+  EXPECT_EQ(summary[0]["name"], "my_task_mpc");
+  EXPECT_TRUE(summary[0]["succeeded"].get<bool>());
+  EXPECT_TRUE(std::filesystem::exists(scratch.folder / "out" / "my_task_mpc" / "trace.csv"));
+}
+
 TEST(RunCommand, BadTaskFile_IsRefusedWithItsPlace) {
   const Scratch scratch;
   for (const auto& [text, words] :
        {std::pair("robot: arm7\n", "burnish polish"),
-        std::pair("task: polishing\n", "burnish polish"),
         std::pair("task: press_hold\ntool: {frame: tol}\n", "line 2: tool.frame"),
         std::pair("task: press_hold\nrobot: arm8\n", "arm8")}) {
     const Outcome outcome = run_task_text(scratch, text, "");
