@@ -6,23 +6,30 @@
 namespace burnish {
 
 double friction_of(const Residual& residual, const std::string& contact) {
-  if (const auto* cone = std::get_if<residual::FrictionCone>(&residual))
-    return cone->contact == contact ? cone->friction : 0.0;
-  if (const auto* pressure = std::get_if<residual::CenterOfPressure>(&residual))
-    return pressure->contact == contact ? pressure->friction : 0.0;
-  return 0.0;
+  return std::visit(
+      [&](const auto& of) {
+        if constexpr (requires { of.contact, of.friction; })
+          if (of.contact == contact) return of.friction;
+        return 0.0;
+      },
+      residual);
 }
 
 GroundFigures ground_figures(const ProblemSpec& problem, const std::string& contact) {
   GroundFigures figures{std::numeric_limits<double>::infinity(), 0.0, 0.0};
   const auto see = [&](const Residual& residual) {
-    if (const auto* cone = std::get_if<residual::FrictionCone>(&residual);
-        cone != nullptr && cone->contact == contact && std::isinf(figures.friction))
-      figures.friction = cone->friction;
-    const auto* pressure = std::get_if<residual::CenterOfPressure>(&residual);
-    if (pressure == nullptr || pressure->contact != contact || pressure->friction == 0.0) return;
-    figures.half_x = pressure->half_x;
-    figures.half_y = pressure->half_y;
+    const double friction = friction_of(residual, contact);
+    if (friction == 0.0) return;
+    std::visit(
+        [&](const auto& of) {
+          if constexpr (requires { of.half_x, of.half_y; }) {
+            figures.half_x = of.half_x;
+            figures.half_y = of.half_y;
+          } else if (std::isinf(figures.friction)) {
+            figures.friction = friction;
+          }
+        },
+        residual);
   };
   for (const Stage& stage : problem.stages) {
     for (const CostTerm& cost : stage.costs) see(cost.residual);

@@ -7,8 +7,8 @@
 
 namespace burnish {
 
-/// Returns the friction coefficient in a friction cone or pressure limit of this contact; 0 for any
-/// other residual.
+/// Returns the friction coefficient of a residual that limits the force of this contact by
+/// friction, such as a friction cone; 0 for any other residual.
 double friction_of(const Residual& residual, const std::string& contact);
 
 /// Friction and sole size of a support in plans. Each value is taken from the first term of the
