@@ -287,6 +287,20 @@ std::vector<int> shown_signals(const Trace& trace) {
   return shown;
 }
 
+/// Adds the normal force and its target of each further tool, as signals. The columns of these
+/// tools begin with "tool_<frame>".
+void add_further_tools(PageFiller& fill, const Trace& trace) {
+  const std::string begin = "tool_", end = "_target_force";
+  for (const TraceColumn& column : trace.columns()) {
+    if (!column.name.starts_with(begin) || !column.name.ends_with(end)) continue;
+    const std::string tool = column.name.substr(0, column.name.size() - end.size());
+    const std::string frame = tool.substr(begin.size());
+    fill.add(signal_prefix + ("force_" + frame), "N",
+             fill.along_rows(tool + "_force", tool + "_surface_normal"));
+    fill.copy(signal_prefix + ("target_force_" + frame), column.name);
+  }
+}
+
 std::vector<PagePhase> phases_of(const Trace& trace, const std::vector<std::string>& names) {
   const auto name_of = [&](double phase) {
     const auto place = to_size(std::max(0.0, phase));
@@ -371,6 +385,7 @@ void add_trace(RunPage& page, const Trace& trace, int record_every, const PageSi
   add_joints(fill, model, trace);
   add_standing(fill, page, trace);
   add_limits(fill, trace);
+  add_further_tools(fill, trace);
   for (const int column : shown_signals(trace)) {
     const std::string& name = trace.columns()[to_size(column)].name;
     fill.copy(name, name);

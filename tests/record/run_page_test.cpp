@@ -1,6 +1,8 @@
 // Tests of the data of a page: encoding, columns, envelopes, robots, and the HTML around them.
 #include <gtest/gtest.h>
 
+#include <map>
+
 #include "burnish/dynamics/reference.hpp"
 #include "record/page_data.hpp"
 #include "record/page_json.hpp"
@@ -280,6 +282,30 @@ TEST(RunPage, CarriedSurface_TipOverItsPath_IsDrawnOnThePath) {
   EXPECT_LT(max_off_circle(page, "target_u", "target_w"), 1e-7);
 }
 
+TEST(RunPage, FurtherTool_HasItsForceAndTarget) {
+  RunPage page = page_of_run();
+  const Trace plain = page_trace(page.robot.model, 100);
+  std::vector<TraceColumn> columns = plain.columns();
+  for (const char* what : {"force", "surface_normal"})
+    for (const char* axis : {"x", "y", "z"})
+      columns.push_back({std::string("tool_left_") + what + "_" + axis + "_world", "N"});
+  columns.push_back({"tool_left_target_force", "N"});
+  Trace trace(columns, 100);
+  for (int row = 0; row < 100; ++row) {
+    double* const values = trace.add_row();
+    for (std::size_t c = 0; c < plain.columns().size(); ++c)
+      values[c] = plain.at(row, static_cast<int>(c));
+    values[trace.index("tool_left_force_y_world")] = -12.0;
+    values[trace.index("tool_left_surface_normal_y_world")] = -1.0;
+    values[trace.index("tool_left_target_force")] = 10.0;
+  }
+  add_trace(page, trace, 1);
+  std::map<std::string, double> first;
+  for (const PageColumn& column : page.columns) first[column.name] = column.values[0];
+  EXPECT_EQ(first.at("signal_force_left"), 12.0);
+  EXPECT_EQ(first.at("signal_target_force_left"), 10.0);
+}
+
 TEST(RunPage, SignalsOfTheController_AreTheSevenLargestOfEachUnit) {
   RunPage page = page_of_run();
   const Trace plain = page_trace(page.robot.model, 100);
@@ -354,11 +380,11 @@ TEST(RunPage, StandingRobot_HasColumnsOfFeetAndMomentum) {
   EXPECT_FLOAT_EQ(value("support_left_load", 2), 100.0F);
   EXPECT_FLOAT_EQ(value("support_left_friction_used", 2), 0.5F);
   EXPECT_NEAR(value("support_left_pressure_margin", 2), 0.05, 1e-7);  // half_y, the nearer edge
-  EXPECT_FLOAT_EQ(value("support_right_load", 3), 10.0F);
+  EXPECT_FLOAT_EQ(value("support_right_load", 3), 10.0);
   EXPECT_TRUE(std::isnan(value("support_right_friction_used", 3)));
   EXPECT_TRUE(std::isnan(value("support_right_pressure_margin", 3)));
   EXPECT_FLOAT_EQ(value("com_z", 2), 0.5F);
-  EXPECT_FLOAT_EQ(value("momentum_x", 4), 10.0F);
+  EXPECT_FLOAT_EQ(value("momentum_x", 4), 10.0);
   EXPECT_FLOAT_EQ(value("angular_momentum_z", 4), 0.25F);
   EXPECT_FLOAT_EQ(value("momentum_x", 2), 0.0F);
   EXPECT_EQ(named(run["series"]["columns"], "angular_momentum_z")["unit"], "kg m^2/s");
