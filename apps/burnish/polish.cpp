@@ -269,6 +269,7 @@ RunResult run_job(PolishJob& job, bool bar) {
 /// Results of all runs of this command, and the state of their files.
 struct Outcomes {
   PageWriter pages;
+  bool is_single = false;  ///< True if the output folder is the folder of the only run.
   std::vector<RunResult> results = {};
   nlohmann::ordered_json summary = nlohmann::ordered_json::array();
   std::string unwritten = {};  ///< Reason why files could not be written; empty: all were written.
@@ -297,15 +298,18 @@ std::vector<std::string> write_last(const PolishJob& job, const PolishArguments&
   outcomes.summary.push_back(run_json(record));
   outcomes.write([&] {
     names = write_run(record, {.record_every = arguments.record_every, .plots = arguments.plots},
-                      folder / job.name, outcomes.pages);
-    write_text(folder / "summary.json", json_text(outcomes.summary));
+                      outcomes.is_single ? folder : folder / job.name, outcomes.pages);
+    if (!outcomes.is_single) write_text(folder / "summary.json", json_text(outcomes.summary));
   });
   return names;
 }
 
 void print_end(const std::vector<PolishJob>& jobs, const Outcomes& outcomes, const fs::path& folder,
                const PolishArguments& arguments) {
-  if (arguments.json) return fmt::print("{}\n", json_text(outcomes.summary));
+  if (arguments.json)
+    return fmt::print("{}\n",
+                      json_text(outcomes.is_single ? outcomes.summary[0] : outcomes.summary));
+  if (arguments.is_run && arguments.quiet) return;
   const std::vector<RunResult>& results = outcomes.results;
   std::vector<NamedMetrics> rows;
   std::vector<NamedStanding> stood;
@@ -332,7 +336,8 @@ void print_end(const std::vector<PolishJob>& jobs, const Outcomes& outcomes, con
   print_timing(jobs, results);
   if (arguments.time) print_times(jobs, results);
   if (!arguments.talks() || !outcomes.unwritten.empty()) return;
-  fmt::print("\nin {}: summary.json, and a folder for each run\n", folder.string());
+  if (!outcomes.is_single)
+    fmt::print("\nin {}: summary.json, and a folder for each run\n", folder.string());
   if (!outcomes.page_note.empty()) fmt::print("{}\n", outcomes.page_note);
 }
 
@@ -346,7 +351,8 @@ void make_runs(std::vector<PolishJob>& jobs, const PolishArguments& arguments,
     if (arguments.talks() || (!arguments.json && !result.succeeded))
       fmt::print("{}: {}\n", job.name, result.outcome);
     if (arguments.talks() && outcomes.unwritten.empty())
-      fmt::print("  {}: {}\n", (folder / job.name).string(), fmt::join(names, ", "));
+      fmt::print("  {}: {}\n", (outcomes.is_single ? folder : folder / job.name).string(),
+                 fmt::join(names, ", "));
     std::fflush(stdout);
     outcomes.results.back().trace = {};
     if (StopRequest::asked()) break;
@@ -383,11 +389,12 @@ int polish(const PolishArguments& arguments) {
   const std::string task =
       arguments.file.empty() ? "polishing" : fs::path(arguments.file).stem().string();
   RunFolder folder({.out = arguments.out, .name = task + "_run", .force = arguments.force});
+  const bool is_single = arguments.is_run && jobs.size() == 1;
   std::vector<std::string> names{"summary.json", "comparison.html"};
   for (const PolishJob& job : jobs) names.push_back(job.name + "/");
-  folder.claim(names);
+  folder.claim(is_single ? pressing::run_file_names() : names);
 
-  Outcomes outcomes{.pages = {!arguments.no_page, arguments.mcap}};
+  Outcomes outcomes{.pages = {!arguments.no_page, arguments.mcap}, .is_single = is_single};
   make_runs(jobs, arguments, folder.path(), outcomes);
   outcomes.write([&] { folder.finish(); });
   if (const std::string missing = outcomes.pages.missing_meshes(); !missing.empty())

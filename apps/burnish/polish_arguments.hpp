@@ -15,6 +15,9 @@ struct PolishArguments : RunArguments {
   std::vector<std::string> surfaces = {};
   std::optional<double> duration = {};
   bool time = false, assume_rotors = false;
+  /// True for `burnish run`: a single run writes its files into the output folder itself, and
+  /// prints its own metrics.
+  bool is_run = false;
 
   /// Adds the options to `command`; each sets one of the members above.
   void add_to(CLI::App& command);

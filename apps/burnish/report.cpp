@@ -72,7 +72,7 @@ Json with_current_names(Json runs) {
     if (run.contains("metrics")) rename_entries(run["metrics"], current_column);
     if (run.contains("phases")) rename_entries(run["phases"], current_phase);
     if (!run.contains("polished")) continue;
-    run["succeeded"] = run["succeeded"];
+    run["succeeded"] = run["polished"];
     run.erase("polished");
     if (is_without_tool(run)) run["tool"] = {{"frame", ""}, {"tip_radius", 0.0}};
   }

@@ -1,5 +1,7 @@
 // burnish run: closed-loop simulation of the task that a task file selects, with metrics and an
 // HTML page.
+#include "burnish/tasks/polishing/run.hpp"
+
 #include <fmt/format.h>
 #include <unistd.h>
 
@@ -10,7 +12,6 @@
 #include "base/whole_file.hpp"
 #include "base/yaml_word.hpp"
 #include "burnish/tasks/polishing/margins.hpp"
-#include "burnish/tasks/polishing/run.hpp"
 #include "burnish/tasks/pressing/plants.hpp"
 #include "command.hpp"
 #include "named_tasks.hpp"
@@ -225,6 +226,7 @@ int run_as(const RunArguments& a) {
 int run_polishing(const RunArguments& a) {
   PolishArguments of{a};
   of.controller = name_of(polishing::ControllerKind::Mpc);
+  of.is_run = true;
   return polish(of);
 }
 
@@ -292,7 +294,8 @@ void add_run(CLI::App& app, int& exit_code) {
       "comparison.html, and prints a table. docs/tasks.md describes tasks. A polishing task runs "
       "as\n"
       "with burnish polish --controller mpc.\n"
-      "Exit codes: 0 succeeded; 1 not: a fault or an interruption; 2 invalid input.");
+      "Exit codes: 0 succeeded; 1 did not, such as a fault, a fall or an interruption; 2 invalid "
+      "input.");
   command->callback([arguments, &exit_code] { exit_code = run(*arguments); });
 }
 

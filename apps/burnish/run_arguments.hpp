@@ -20,7 +20,7 @@ struct RunArguments {
   bool talks() const { return !quiet && !json; }
 };
 
-/// Texts of a command about options that the task file can replace, and about its output.
+/// Help texts that differ between the commands: default values, and what is printed.
 struct RunTexts {
   std::string robot, tool, out;  ///< Values of options that are not given.
   std::string key;               ///< Placeholder for an override, such as "KEY=VALUE".

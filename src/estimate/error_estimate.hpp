@@ -51,7 +51,7 @@ struct ErrorInput {
   ConstVectorRef sent;
   int stage;             ///< Stage of the schedule.
   double schedule_time;  ///< Time of the schedule [s].
-  bool waits;            ///< True while the schedule waits for a tool to touch its surface.
+  bool waits;            ///< True while the schedule waits for a late event, such as a contact.
 };
 
 class ErrorEstimate {
@@ -107,7 +107,7 @@ class ErrorEstimate {
   bool models_friction(std::size_t tool) const { return tools_[tool].friction.is_modelled(); }
   /// Returns the mean of torque_error() over the last seconds; nv [Nm or N].
   const Eigen::VectorXd& lasting_error() const { return lasting_error_; }
-  /// Returns the normal force at each tool, measured - model [N].
+  /// Returns the filtered error of the normal force at each tool (measured minus modelled) [N].
   const Eigen::VectorXd& force_error() const { return force_error_; }
   /// Returns the measured minus the acting torque, low-pass filtered; nv [Nm or N].
   const Eigen::VectorXd& torque_offset() const { return torque_offset_; }

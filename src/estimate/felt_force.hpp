@@ -11,8 +11,8 @@ namespace burnish {
 class FeltForce {
  public:
   /// `state`: a state with one tool. `supports`: contacts of `state` that always hold the robot.
-  /// `touch`: force above which the
-  /// mean of s is not updated, although the stage has no contact [N].
+  /// `touch`: force above which the mean of s is not updated, although the stage has no contact
+  /// [N].
   FeltForce(const Model& model, const ModelErrorOptions& options, const RobotState& state,
             const std::vector<ContactSpec>& supports, double touch);
 

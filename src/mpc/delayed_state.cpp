@@ -62,9 +62,9 @@ void DelayedState::send(const Eigen::VectorXd& tau, const Eigen::VectorXd& frict
   started_ = true;
 }
 
-/// Finds the tools in contact, and computes the torque of the measured forces that their contacts
-/// lack. In free air, this is the whole force. During contact, it is the force along the surface,
-/// unless the contact has a friction model.
+/// Finds the tools in contact, and computes the joint torque of measured tool forces that the
+/// contact models do not produce. In free air, this is the whole force. During contact, it is the
+/// force along the surface, unless the contact has a friction model.
 void DelayedState::feel(const ContactForceEstimate& contacts, MeasurementGate& gate,
                         const PredictionInput& input) noexcept {
   felt_.setZero();

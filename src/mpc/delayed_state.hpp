@@ -75,7 +75,8 @@ class DelayedState {
   bool started_ = false;
   Eigen::VectorXd start_, tau_, total_, dq_;
   std::vector<char> holds_;  ///< Per tool: 1 if the tool is in contact.
-  Eigen::VectorXd felt_;     ///< Joint torques of measured forces that contacts lack, nv [Nm or N].
+  /// Joint torques of measured tool forces that contact models do not produce, nv [Nm or N].
+  Eigen::VectorXd felt_;
 };
 
 }  // namespace burnish

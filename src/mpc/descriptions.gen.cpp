@@ -13,7 +13,7 @@ const Description& description_of(const ToolCommand* /*of*/) {
           .field("target_force", &S::target_force,
                  "Target of the normal force of the surface on the tool [{N}]")
           .field("p_target_world", &S::p_target_world,
-                 "Target position of the tip frame's origin, in world axes [{m}]")
+                 "Target position of the tool frame's origin, in world axes [{m}]")
           .more("While the tool presses, the target lies on the estimated surface")
           .field("normal_world", &S::normal_world,
                  "Estimated surface normal at the tool, a unit vector in world axes")
@@ -279,12 +279,16 @@ const Description& description_of(const ToolSpec* /*of*/) {
           .field("normal_base", &S::normal_base,
                  "Normal of the surface that the tool presses on, in the axes of `base` (world "
                  "axes if `base` is empty)")
-          .more("The normal points towards the robot. Friction acts perpendicular to the normal")
+          .more("The normal points towards the robot; its length has no effect. Estimates of "
+                "force and friction use the normal, until MpcTask::surface() returns a surface. "
+                "Contacts have their own references")
           .field("contact_threshold", &S::contact_threshold,
                  "Normal force above which the tool counts as in contact [{N}]",
                  {.least = 0})
           .field("friction", &S::friction,
-                 "Estimation of the friction coefficient, for contacts with ContactSpec.friction");
+                 "Estimation of the friction coefficient")
+          .more("Contacts between `frame` and `base` that have ContactSpec.friction use the "
+                "estimate");
   return all;
 }
 
@@ -321,8 +325,8 @@ const Description& description_of(const MpcSpec* /*of*/) {
                 "require a sensor (`touches`)")
           .field("touches", &S::touches,
                  "Sensors of tools, feet and hands that the controller reads")
-          .more("Measurement.wrenches has one column per entry, in this order. Forces of tools "
-                "without an entry have columns before the others. A NaN in a component that the "
+          .more("Measurement.wrenches has one column per entry, in this order. Tools without an "
+                "entry come first, each with a force sensor. A NaN in a component that the "
                 "controller reads makes the measurement invalid. If the entry of the only tool "
                 "states the sensor `none`, the force on the tool is estimated from the change of "
                 "the torque error at contact. This estimate requires that model_error.kind is "

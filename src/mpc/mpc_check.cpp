@@ -69,9 +69,10 @@ void check_tools(const MpcSpec& spec) {
                   "; wanted one entry");
     seen.push_back(tool.frame);
     for (const ContactSpec& contact : spec.problem.contacts)
-      if (contact.tool == tool.frame && std::find(spec.supports.begin(), spec.supports.end(),
-                                                  contact.name) != spec.supports.end())
-        throw Error(what + " is also the frame of support " + in_quotes(contact.name) +
+      if ((contact.tool == tool.frame || contact.name == tool.frame) &&
+          std::find(spec.supports.begin(), spec.supports.end(), contact.name) !=
+              spec.supports.end())
+        throw Error(what + " is also the frame or the name of support " + in_quotes(contact.name) +
                     "; wanted a tool or a support");
     if (!tool.normal_base.allFinite() || !(tool.normal_base.norm() > 0.0))
       throw Error(what + " has a normal that is not finite or has length 0; wanted a direction");

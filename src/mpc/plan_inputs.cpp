@@ -47,7 +47,7 @@ bool is_of_tool(const ContactSpec& contact, const ToolSpec& tool) {
   return contact.tool == tool.frame && contact.base == (tool.base.empty() ? "world" : tool.base);
 }
 
-/// Returns true for a ContactForce of a one-directional contact of the tool, in the contact's
+/// Returns true for a ContactForce of a one-dimensional contact of the tool, in the contact's
 /// reference frame.
 bool is_force_of(const ToolSpec& tool, const Residual& residual,
                  const std::vector<ContactSpec>& contacts) {

@@ -157,8 +157,8 @@ std::vector<std::string> measured_touches(const Controller& controller, const Sc
       const std::string hint = did_you_mean(wanted.frame, all);
       throw Error("the controller reads the wrench at " + in_quotes(wanted.frame) +
                   ", which is not a touch of the plant's scene" +
-                  (hint.empty() ? "; wanted a touch at this frame, or an empty MpcSpec.tool for a "
-                                  "robot without a tool"
+                  (hint.empty() ? "; wanted a touch at this frame, or no tool at this frame "
+                                  "(MpcSpec.tools)"
                                 : hint));
     }
     check_sensor(wanted, scene.touch(wanted.frame));
@@ -215,7 +215,7 @@ struct ClosedLoop::Impl {
   template <class Add>
   void add_tool_signals(std::size_t tool, bool is_of_step, const Add& add) const;
   std::vector<int> command_entries() const;
-  const ToolCommand& tool_command(std::size_t entry) const noexcept;
+  const ToolCommand& tool_command(int entry) const noexcept;
   std::string name_of_tool(std::size_t tool) const;
   template <class Add>
   void add_command_signals(bool is_of_step, const Add& add) const;
@@ -415,8 +415,8 @@ void ClosedLoop::Impl::add_plan_signals(const Add& add) {
   add({{"clipped_torques", "-"}}, [](L l) { return l.command.clipped_torques; });
 }
 
-/// Returns the index of each tool's entry in Command::tools; -1: none. If the controller does not
-/// name the scene's first tool, this tool gets the first entry.
+/// Returns the index of each tool's entry in Command::tools; -1: none. A scene without tools has
+/// one index, of the entry with the targets of the task.
 std::vector<int> ClosedLoop::Impl::command_entries() const {
   const std::vector<std::string> named = controller->tools();
   std::vector<int> entries;
@@ -425,30 +425,31 @@ std::vector<int> ClosedLoop::Impl::command_entries() const {
     const auto at = std::find(named.begin(), named.end(), frame);
     entries.push_back(at == named.end() ? -1 : static_cast<int>(at - named.begin()));
   }
-  if (entries.empty())
-    entries = {0};
-  else if (entries.front() < 0)
-    entries.front() = 0;
+  if (entries.empty()) return {0};
+  if (named.empty()) entries.front() = 0;
   return entries;
 }
 
-/// Returns an entry of Command::tools; zero if the command lacks it.
-const ToolCommand& ClosedLoop::Impl::tool_command(std::size_t entry) const noexcept {
-  static const ToolCommand none;
-  return entry < command.tools.size() ? command.tools[entry] : none;
+/// Returns an entry of Command::tools. Its values are NaN if the command lacks it.
+const ToolCommand& ClosedLoop::Impl::tool_command(int entry) const noexcept {
+  constexpr double nan = std::numeric_limits<double>::quiet_NaN();
+  static const Eigen::Vector3d unknown = Eigen::Vector3d::Constant(nan);
+  static const ToolCommand none{nan, unknown, unknown, unknown, nan};
+  return entry >= 0 && to_size(entry) < command.tools.size() ? command.tools[to_size(entry)] : none;
 }
 
 /// Adds the targets and estimates in Command::tools. The names of the first tool's columns have no
-/// prefix. For a scene without tools, only targets are added.
+/// prefix. A further tool has columns only if the controller has this tool. For a scene without
+/// tools, only targets are added.
 template <class Add>
 void ClosedLoop::Impl::add_command_signals(bool is_of_step, const Add& add) const {
   const std::vector<int> entries = command_entries();
   for (std::size_t tool = 0; tool < entries.size(); ++tool) {
-    if (entries[tool] < 0) continue;
+    if (tool > 0 && entries[tool] < 0) continue;
     const auto name = [&](const char* what) {
       return tool == 0 ? what : name_of_tool(tool) + "_" + what;
     };
-    const std::size_t entry = to_size(entries[tool]);
+    const int entry = entries[tool];
     using L = const Impl&;
     if (!is_of_step) {
       add(axes(name("target"), "m"), [=](L l) { return l.tool_command(entry).p_target_world; });

@@ -378,7 +378,7 @@ const Description& description_of(const TaskTarget* /*of*/) {
                   "Recorded target of the tool at one time of the schedule. The recorded target "
                   "has no effect on the motion, which the costs of the problem determine.")
           .field("p_world", &S::p_world,
-                 "Position of the tool in the frame MpcSpec.base (without such a frame: in the "
+                 "Position of the tool in the frame ToolSpec.base (without such a frame: in the "
                  "world) [{m}]")
           .field("force", &S::force,
                  "Force along the normal (0: no contact) [{N}]")

@@ -51,6 +51,7 @@ TEST(PlanInputs, SeveralTools_HaveInputsOfTheirOwn) {
   ContactSpec pad{.name = "pad", .tool = "elbow", .directions = Directions::z()};
   pad.friction = SlidingFriction{0.7, 0.1};
   spec.problem.contacts.push_back(pad);
+  spec.problem.stages[0].contacts.push_back("pad");
   spec.problem.stages[0].costs.push_back(
       {.name = "pad", .residual = residual::ContactForce{"pad", {}, 3.0}});
   const MpcSpec made = completed(spec);

@@ -133,8 +133,9 @@ TEST_F(SupportGrip, TouchesThatDoNotFit_AreRefused) {
                         {"touch 'left_sole_lnk'", "'left_sole_link'"});
   testing::expect_words(refused([](MpcSpec& s) { s.touches[1] = s.touches[0]; }),
                         {"two entries", soles[0]});
-  testing::expect_words(refused([](MpcSpec& s) { s.tools = {{.frame = soles[0]}}; }),
-                        {"tool '" + soles[0], "also the frame of support", "a tool or a support"});
+  testing::expect_words(
+      refused([](MpcSpec& s) { s.tools = {{.frame = soles[0]}}; }),
+      {"tool '" + soles[0], "also the frame or the name of support", "a tool or a support"});
   testing::expect_words(refused([](MpcSpec& s) { s.touches[1].sensor = WrenchSensor::Force; }),
                         {soles[1], "no moment", "force and moment"});
   testing::expect_words(refused([](MpcSpec& s) {

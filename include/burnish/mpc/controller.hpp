@@ -21,7 +21,7 @@ namespace burnish {
 struct ToolCommand {
   /// Target of the normal force of the surface on the tool [N]
   double target_force = 0.0;
-  /// Target position of the tip frame's origin, in world axes [m]
+  /// Target position of the tool frame's origin, in world axes [m]
   /// @more While the tool presses, the target lies on the estimated surface
   Eigen::Vector3d p_target_world = Eigen::Vector3d::Zero();
   /// Estimated surface normal at the tool, a unit vector in world axes
@@ -76,8 +76,9 @@ class Controller {
   /// of the plant's scene. ClosedLoop throws Error if the controller reads a component of a wrench
   /// that the scene does not measure. WrenchSensor::Automatic stands for the measured components.
   virtual std::optional<std::vector<TouchSensor>> touches() const { return std::nullopt; }
-  /// Returns the frames of the tools of Command::tools, in the same order. An empty result stands
-  /// for one entry, which belongs to the first tool of the plant's scene.
+  /// Returns the frames of the tools of Command::tools, in the same order. If the result is empty,
+  /// Command::tools has one entry, for the first tool of the plant's scene. Otherwise, the
+  /// controller must give Command::tools one entry per frame; a trace has NaN for missing entries.
   virtual std::vector<std::string> tools() const { return {}; }
   /// Returns names and units of the values that the controller publishes, such as estimates. A
   /// ClosedLoop calls signals() when it is made, and records each value in a column "signal_<name>"

@@ -110,11 +110,14 @@ struct ToolSpec {
   std::string base = {};
   /// Normal of the surface that the tool presses on, in the axes of `base` (world axes if `base` is
   /// empty)
-  /// @more The normal points towards the robot. Friction acts perpendicular to the normal
+  /// @more The normal points towards the robot; its length has no effect. Estimates of force and
+  /// friction use the normal, until MpcTask::surface() returns a surface. Contacts have their own
+  /// references
   Eigen::Vector3d normal_base = Eigen::Vector3d::UnitZ();
   /// Normal force above which the tool counts as in contact [N], >= 0
   double contact_threshold = 2.0;
-  /// Estimation of the friction coefficient, for contacts with ContactSpec.friction
+  /// Estimation of the friction coefficient
+  /// @more Contacts between `frame` and `base` that have ContactSpec.friction use the estimate
   FrictionEstimateOptions friction = {};
 };
 
@@ -147,8 +150,8 @@ struct MpcSpec {
   /// (`touches`)
   std::vector<std::string> resting_supports = {};
   /// Sensors of tools, feet and hands that the controller reads
-  /// @more Measurement.wrenches has one column per entry, in this order. Forces of tools without an
-  /// entry have columns before the others. A NaN in a component that the controller reads makes the
+  /// @more Measurement.wrenches has one column per entry, in this order. Tools without an entry
+  /// come first, each with a force sensor. A NaN in a component that the controller reads makes the
   /// measurement invalid. If the entry of the only tool states the sensor `none`, the force on the
   /// tool is estimated from the change of the torque error at contact. This estimate requires that
   /// model_error.kind is `torque`. With a sensor at each support, torque errors are estimated in

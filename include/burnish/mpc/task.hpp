@@ -175,8 +175,7 @@ class MpcTask {
   /// Writes the current targets of each tool into Command::tools, as ToolCommand::p_target_world
   /// and ToolCommand::target_force. `time` is the schedule's time [s]. Both targets are recorded in
   /// traces. The estimate of the model error also uses the target force, to compute friction and
-  /// force feedback. If aim() throws,
-  /// MpcController::take_exception() returns the exception.
+  /// force feedback. If aim() throws, MpcController::take_exception() returns the exception.
   virtual void aim(double /*time*/, Command& /*command*/) {}
 
  protected:

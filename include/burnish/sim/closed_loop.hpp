@@ -83,7 +83,9 @@ struct ClosedLoopOptions {
 /// Each further touch that is not a support has columns that begin with tool_<frame>_, followed by
 /// x|y|z_world, rx|ry|rz_start, force_x|y|z_world, measured_force_x|y|z_world,
 /// surface_normal_x|y|z_world, in_contact and, for a surface that the robot carries,
-/// surface_x|y|z_world and surface_rx|ry|rz_world.
+/// surface_x|y|z_world and surface_rx|ry|rz_world. If the touch is a tool of the controller
+/// (Controller::tools()), it also has target_x|y|z_world, target_force,
+/// estimated_force_x|y|z_world, estimated_normal_x|y|z_world and estimated_friction.
 class ClosedLoop {
  public:
   /// Connects a plant and a controller, which must both outlive the loop. Throws Error

@@ -65,9 +65,9 @@ struct HomeMove {
 /// and no faults are detected. If a measurement is invalid, the previous command is repeated, and
 /// Command::status gives the reason.
 ///
-/// `tool` is the frame whose planned position is Command::p_target_world, and `normal_world` the
-/// normal of the surface. Throws Error for an unknown frame, fewer than two corners, a wrong number
-/// of durations, or configurations of the wrong size.
+/// `tool` is the frame whose planned position is ToolCommand::p_target_world, and `normal_world`
+/// the normal of the surface. Throws Error for an unknown frame, fewer than two corners, a wrong
+/// number of durations, or configurations of the wrong size.
 std::unique_ptr<Controller> make_home_controller(const Model& model, const HomeMove& move,
                                                  const std::string& tool,
                                                  const Eigen::Vector3d& normal_world,

@@ -56,7 +56,8 @@ struct TaskRun {
   Status plant_status = Status::Ok;
   FaultReport fault;         ///< Fault that the MPC detected; FaultKind::None if there was none
   bool interrupted = false;  ///< True if the progress callback stopped the run
-  /// True if the run reached its end and did what the task requires; `outcome` states the reason
+  /// True if the run reached its end and did what the task requires; if false, `outcome` states the
+  /// reason
   bool succeeded = false;
   /// Statistics of the wall-clock times of ticks, without the first tick
   TickTimes ticks;

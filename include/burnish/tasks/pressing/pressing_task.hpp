@@ -90,7 +90,7 @@ struct PlanLimits {
 /// @described pressing
 /// Plans assume friction in proportion to `force`.
 struct TaskTarget {
-  /// Position of the tool in the frame MpcSpec.base (without such a frame: in the world) [m]
+  /// Position of the tool in the frame ToolSpec.base (without such a frame: in the world) [m]
   Eigen::Vector3d p_world = Eigen::Vector3d::Zero();
   /// Force along the normal (0: no contact) [N]
   /// @more Without contact, plans assume no friction.
@@ -100,7 +100,7 @@ struct TaskTarget {
 /// Assumed position and shape of the surface under a round tip. The online estimate of the surface
 /// starts from these assumptions.
 /// @described pressing
-/// Point and normal are in the frame MpcSpec::base. If MpcSpec::base is empty, they are in world
+/// Point and normal are in the frame ToolSpec::base. If ToolSpec::base is empty, they are in world
 /// axes.
 struct PressedSurface {
   SurfaceShape shape = {};                               ///< Surface shape about `point_base`
@@ -135,9 +135,9 @@ struct PressingTask {
   /// @more A signal that depends on this input can hide the future from plans.
   std::string time_input = {};
 
-  /// Creates the state of this task for a controller of `spec`. Throws Error in three cases:
-  /// `touch` does not have one entry for each phase of the schedule, `target` or the input is
-  /// missing, or a limit is out of range.
+  /// Creates the state of this task for a controller of `spec`. Throws Error in
+  /// these cases: `spec` does not have exactly one tool, `touch` does not have one entry for each
+  /// phase of the schedule, `target` or the input is missing, or a limit is out of range.
   std::unique_ptr<MpcTask> operator()(const MpcSpec& spec) const;
 };
 
