@@ -291,11 +291,10 @@ void add_run(CLI::App& app, int& exit_code) {
       ".\n\nWrites trace.csv, metrics.json, task.yaml, run.html, run.json and, after a fault,\n"
       "fault.txt and last_second.csv. Ctrl-C (or SIGTERM, or SIGHUP) ends the run and writes the\n"
       "results so far. With several seeds, writes a folder for each, summary.json and\n"
-      "comparison.html, and prints a table. docs/tasks.md describes tasks. A polishing task runs "
-      "as\n"
-      "with burnish polish --controller mpc.\n"
-      "Exit codes: 0 succeeded; 1 did not, such as a fault, a fall or an interruption; 2 invalid "
-      "input.");
+      "comparison.html, and prints a table. A file without the key `task` is a polishing task,\n"
+      "which runs as with burnish polish --controller mpc. docs/tasks.md describes tasks.\n"
+      "Exit codes: 0 succeeded; 1 did not, such as a fault, a fall or an interruption;\n"
+      "2 invalid input.");
   command->callback([arguments, &exit_code] { exit_code = run(*arguments); });
 }
 

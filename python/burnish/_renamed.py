@@ -50,7 +50,7 @@ def _missing_in_module(module: ModuleType, name: str) -> Any:
 
 
 def _missing_in_object(self: object, name: str) -> Any:
-    raise no_attribute(self, type(self).__name__, name)
+    raise no_attribute(self, type(self).__name__.rpartition("_")[2], name)  # "stand_RunResult" is RunResult
 
 
 class EnumType(enum.EnumMeta):

@@ -73,7 +73,8 @@ def _inside(of: type, name: str) -> str:
 def _unknown(of: type, name: str) -> str:
     known = _names(of)
     nearest = _core.did_you_mean(name, list(known))
-    place = "" if "is now called" in nearest else _inside(of, name)
+    newer = dict(_core.renames()).get(name, name)
+    place = "" if "is now called" in nearest else _inside(of, newer)
     hint = f"; wanted {place}" if place else nearest or f"; it has {', '.join(known)}"
     return f"{of.__name__} has no entry '{name}'{hint}"
 

@@ -4,6 +4,8 @@ from __future__ import annotations
 
 from typing import Any, Callable, Mapping, Sequence, TypeVar
 
+from ._core import Error
+
 AnyTask = TypeVar("AnyTask")
 
 
@@ -16,6 +18,8 @@ def with_changes(
 ) -> AnyTask:
     """Sets entries of a task, applies overrides, and checks the result. Raises Error for unknown keys and
     for values that contradict each other."""
+    if isinstance(overrides, str):
+        raise Error(f"overrides: got {overrides!r}; wanted a list, each entry a text")
     for name, value in entries.items():
         setattr(task, name, value)
     task = override_task(task, overrides)

@@ -275,7 +275,7 @@ def test_invalid_spec_raises_with_the_reason(press):
         ({"task": None}, "waits for 'contact', which is not an event of its task"),
         ({"update_period": 7.5e-4}, "multiple of tick_period"),
         ({"tools": [burnish.ToolSpec("tol")]}, "did you mean 'tool'"),
-        ({"tools": []}, "tools has 0 entries; wanted one"),
+        ({"tools": []}, "contact 'board' of stage 'press' is neither at a tool nor a support"),
         ({"schedule": [], "task": None}, "no phases"),
         ({"solver_delay": 1.0}, "solver_delay is 1 s"),
         ({"tools": [burnish.ToolSpec(normal_base=[0, 0, 0])]}, "normal"),

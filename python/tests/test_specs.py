@@ -244,6 +244,8 @@ def test_keyword_of_an_inner_entry_raises_with_its_place() -> None:
         burnish.Command().target_force  # type: ignore[attr-defined]
     with pytest.raises(TypeError, match="MpcSpec has no entry 'bandwidth'; wanted model_error.bandwidth"):
         burnish.MpcSpec(bandwidth=100.0)  # type: ignore[call-arg]
+    with pytest.raises(TypeError, match=r"wanted tools\[...\].normal_base"):
+        burnish.MpcSpec(normal_world=[0, 0, 1])  # type: ignore[call-arg]
     with pytest.raises(TypeError, match="did you mean 'tools'"):
         burnish.MpcSpec(tool="hand")  # type: ignore[call-arg]
 

@@ -5,6 +5,7 @@
 
 #include "base/sentence.hpp"
 #include "burnish/base/error.hpp"
+#include "burnish/contact/loops.hpp"
 #include "burnish/mpc/knot_times.hpp"
 #include "mpc/descriptions.gen.hpp"
 
@@ -146,6 +147,28 @@ void check_supports(const MpcSpec& spec) {
   }
 }
 
+/// Checks the contacts of stages: each must be a support or a loop, or be at a tool.
+void check_contacts(const MpcSpec& spec) {
+  const ProblemSpec& problem = spec.problem;
+  for (const Stage& stage : problem.stages)
+    for (const std::string& name : stage.contacts) {
+      const auto contact = std::find_if(problem.contacts.begin(), problem.contacts.end(),
+                                        [&](const ContactSpec& each) { return each.name == name; });
+      if (contact == problem.contacts.end()) continue;  // the problem refuses the stage
+      const bool is_support =
+          std::find(spec.supports.begin(), spec.supports.end(), name) != spec.supports.end();
+      const bool is_at_tool =
+          std::any_of(spec.tools.begin(), spec.tools.end(),
+                      [&](const ToolSpec& tool) { return tool.frame == contact->tool; });
+      if (is_support || is_at_tool || is_loop(problem.model, *contact)) continue;
+      throw Error(
+          "MPC: contact " + in_quotes(name) + " of stage " + in_quotes(stage.name) +
+          " is neither at a tool nor a support, so its force would count as a torque error; "
+          "wanted its frame " +
+          in_quotes(contact->tool) + " in tools, or its name in supports");
+    }
+}
+
 /// Checks the resting supports: each must be a support with a measured wrench.
 void check_resting(const MpcSpec& spec) {
   for (const std::string& resting : spec.resting_supports) {
@@ -229,6 +252,7 @@ int checked_ticks_per_update(const MpcSpec& spec) {
   check_tools(spec);
   check_touches(spec);
   check_supports(spec);
+  check_contacts(spec);
   check_resting(spec);
   check_ranges(description_of(&spec.fallback), &spec.fallback,
                [](const std::string& entry) { return "MPC: the fallback's " + entry; });

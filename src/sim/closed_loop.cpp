@@ -417,8 +417,21 @@ void ClosedLoop::Impl::add_plan_signals(const Add& add) {
 
 /// Returns the index of each tool's entry in Command::tools; -1: none. A scene without tools has
 /// one index, of the entry with the targets of the task.
+/// Throws Error if the controller has a tool twice, or a tool that the scene lacks.
 std::vector<int> ClosedLoop::Impl::command_entries() const {
   const std::vector<std::string> named = controller->tools();
+  std::vector<std::string> frames;
+  for (const TouchSpec& touch : plant->scene().touches) frames.push_back(touch.frame);
+  for (auto tool = named.begin(); tool != named.end(); ++tool) {
+    const std::string hint = did_you_mean(*tool, frames);
+    if (std::find(frames.begin(), frames.end(), *tool) == frames.end())
+      throw Error("the controller has the tool " + in_quotes(*tool) +
+                  ", which is not a touch of the plant's scene" +
+                  (hint.empty() ? "; wanted a touch at this frame" : hint));
+    if (std::find(named.begin(), tool, *tool) != tool)
+      throw Error("the controller has the tool " + in_quotes(*tool) +
+                  " twice; wanted one entry for each tool");
+  }
   std::vector<int> entries;
   for (const TracedTool& tool : tools) {
     const std::string& frame = plant->scene().touches[to_size(tool.touch)].frame;

@@ -226,6 +226,12 @@ TEST(MpcSpec, ToolsThatDoNotFit_AreRefused) {
                {"tool 'tool'", "contact_threshold", "-1"});
   expect_words(with([](MpcSpec& s) { s.tools[0].base = "tol"; }),
                {"tool 'tool'", "surface of 'tol'", "did you mean 'tool'"});
+  expect_words(with([](MpcSpec& s) {
+                 s.tools.clear();
+                 s.problem.contacts = {{.name = "pad", .tool = "tool"}};
+                 s.problem.stages[1].contacts = {"pad"};
+               }),
+               {"contact 'pad' of stage 'wave'", "'tool' in tools", "supports"});
   expect_words(with([](MpcSpec& s) { s.tools.push_back(s.tools[0]); }),
                {"tools has two entries for frame 'tool'"});
   expect_words(with([](MpcSpec& s) {

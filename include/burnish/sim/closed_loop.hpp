@@ -93,6 +93,7 @@ class ClosedLoop {
   /// - if controller and plant have different numbers of torques,
   /// - if the controller reads the wrench on a touch (tool or foot) that the plant's scene does not
   ///   have, or a component of the wrench without a sensor,
+  /// - if the controller has a tool twice, or a tool that is not a touch of the scene,
   /// - if two columns of the trace have the same name, such as two signals of the controller,
   /// - if an option is out of range or a disturbance is invalid.
   ///
