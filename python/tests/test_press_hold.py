@@ -106,3 +106,8 @@ def test_invalid_task_raises_with_the_reason(call, words):
     with pytest.raises((burnish.Error, AttributeError)) as refused:
         call()
     assert words in str(refused.value)
+
+
+def test_override_that_is_no_list_is_refused():
+    with pytest.raises(burnish.Error, match=r"overrides: got 'force=10'; wanted a list"):
+        press_hold.make_task(overrides="force=10")

@@ -1,6 +1,5 @@
 #include "estimate/contact_force_estimate.hpp"
 
-#include <algorithm>
 #include <utility>
 
 #include "dynamics/reference.hpp"
@@ -59,8 +58,8 @@ bool ContactForceEstimate::forces_at(RobotState& state, int stage, double time,
                                      const Eigen::VectorXd& tau, Eigen::Matrix3Xd& out) noexcept {
   out.setZero();
   bool has_any = false;
-  for (std::size_t tool = 0; tool < surfaces_.size(); ++tool)
-    has_any = has_any || has_contact(stage, tool);
+  for (std::size_t c = 0; c < contacts_.tools.size(); ++c)
+    has_any = has_any || is_at_tool(stage, c);
   if (!has_any || !place(state, time) ||
       !is_usable(state.forward(contacts_.all[to_size(stage)], tau)))
     return false;

@@ -11,6 +11,7 @@
 #include "burnish/sim/closed_loop.hpp"
 #include "support/allocation_guard.hpp"
 #include "support/plant_touch.hpp"
+#include "support/refusal.hpp"
 
 namespace burnish::test {
 namespace {
@@ -122,6 +123,32 @@ TEST_F(TwoToolsLoop, Ticks_AllocateNothing) {
   if (AllocationGuard::unavailable() == nullptr) {
     EXPECT_EQ(guard.count(), 0);
   }
+}
+
+/// Controller that states other tools than the controller within it.
+class WithTools final : public ControllerWrapper {
+ public:
+  WithTools(Controller& inner, std::vector<std::string> tools)
+      : ControllerWrapper(inner), tools_(std::move(tools)) {}
+  std::vector<std::string> tools() const override { return tools_; }
+
+ private:
+  std::vector<std::string> tools_;
+};
+
+TEST_F(TwoToolsLoop, ToolsThatDoNotFitTheScene_AreRefused) {
+  MpcController controller(spec);
+  const auto plant = make_mujoco_plant(robot.model, scene, {});
+  const auto refused = [&](const std::vector<std::string>& tools) {
+    WithTools named(controller, tools);
+    return testing::refusal(
+        [&] { ClosedLoop(*plant, named, {}, {.control_period = 1e-3, .max_duration = 0.1}); });
+  };
+  EXPECT_EQ(refused({"left_tool", "tool"}), "");
+  testing::expect_words(refused({"tool", "left_tol"}),
+                        {"has the tool 'left_tol'", "did you mean 'left_tool'"});
+  testing::expect_words(refused({"tool", "elbow"}), {"'elbow'", "wanted a touch at this frame"});
+  testing::expect_words(refused({"tool", "tool"}), {"has the tool 'tool' twice", "one entry"});
 }
 
 /// In a fault, the last second has columns for both tools.
