@@ -293,7 +293,7 @@ void add_run(CLI::App& app, int& exit_code) {
       "results so far. With several seeds, writes a folder for each, summary.json and\n"
       "comparison.html, and prints a table. A file without the key `task` is a polishing task,\n"
       "which runs as with burnish polish --controller mpc. docs/tasks.md describes tasks.\n"
-      "Exit codes: 0 succeeded; 1 did not, such as a fault, a fall or an interruption;\n"
+      "Exit codes: 0 succeeded; 1 failed, for example by a fault, a fall or an interruption;\n"
       "2 invalid input.");
   command->callback([arguments, &exit_code] { exit_code = run(*arguments); });
 }

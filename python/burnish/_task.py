@@ -19,7 +19,7 @@ def with_changes(
     """Sets entries of a task, applies overrides, and checks the result. Raises Error for unknown keys and
     for values that contradict each other."""
     if isinstance(overrides, str):
-        raise Error(f"overrides: got {overrides!r}; wanted a list, each entry a text")
+        raise Error(f"overrides: got {overrides!r}; wanted a list of texts, such as ['force=10']")
     for name, value in entries.items():
         setattr(task, name, value)
     task = override_task(task, overrides)

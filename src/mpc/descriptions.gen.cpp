@@ -279,9 +279,9 @@ const Description& description_of(const ToolSpec* /*of*/) {
           .field("normal_base", &S::normal_base,
                  "Normal of the surface that the tool presses on, in the axes of `base` (world "
                  "axes if `base` is empty)")
-          .more("The normal points towards the robot; its length has no effect. Estimates of "
-                "force and friction use the normal, until MpcTask::surface() returns a surface. "
-                "Contacts have their own references")
+          .more("The normal points towards the robot; its length has no effect. Estimates use "
+                "this normal until MpcTask::surface() returns a surface. Contacts do not use it: "
+                "state their normal in ContactSpec.reference")
           .field("contact_threshold", &S::contact_threshold,
                  "Normal force above which the tool counts as in contact [{N}]",
                  {.least = 0})
@@ -325,15 +325,16 @@ const Description& description_of(const MpcSpec* /*of*/) {
                 "require a sensor (`touches`)")
           .field("touches", &S::touches,
                  "Sensors of tools, feet and hands that the controller reads")
-          .more("Measurement.wrenches has one column per entry, in this order. Tools without an "
-                "entry come first, each with a force sensor. A NaN in a component that the "
-                "controller reads makes the measurement invalid. If the entry of the only tool "
-                "states the sensor `none`, the force on the tool is estimated from the change of "
-                "the torque error at contact. This estimate requires that model_error.kind is "
-                "`torque`. With a sensor at each support, torque errors are estimated in all "
-                "joints, including the joints of supporting legs. If only some supports have "
-                "sensors, the others count as rigid contacts. A support whose rotation is free, "
-                "such as a point foot, needs no sensor of moments")
+          .more("Measurement.wrenches has one column per entry, in this order. A tool without an "
+                "entry is assumed to have a force sensor; its column comes before those of the "
+                "entries. A NaN in a component that the controller reads makes the measurement "
+                "invalid. If the entry of the only tool states the sensor `none`, the force on "
+                "the tool is estimated from the change of the torque error at contact. This "
+                "estimate requires that model_error.kind is `torque`. With a sensor at each "
+                "support, torque errors are estimated in all joints, including the joints of "
+                "supporting legs. If only some supports have sensors, the others count as rigid "
+                "contacts. A support whose rotation is free, such as a point foot, needs no "
+                "sensor of moments")
           .field("tick_period", &S::tick_period,
                  "Time between ticks [{s}]")
           .field("update_period", &S::update_period,

@@ -164,8 +164,8 @@ void check_contacts(const MpcSpec& spec) {
       throw Error(
           "MPC: contact " + in_quotes(name) + " of stage " + in_quotes(stage.name) +
           " is neither at a tool nor a support, so its force would count as a torque error; "
-          "wanted its frame " +
-          in_quotes(contact->tool) + " in tools, or its name in supports");
+          "wanted a tool at frame " +
+          in_quotes(contact->tool) + " (tools), or " + in_quotes(name) + " in supports");
     }
 }
 

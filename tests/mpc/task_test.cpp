@@ -231,7 +231,7 @@ TEST(MpcSpec, ToolsThatDoNotFit_AreRefused) {
                  s.problem.contacts = {{.name = "pad", .tool = "tool"}};
                  s.problem.stages[1].contacts = {"pad"};
                }),
-               {"contact 'pad' of stage 'wave'", "'tool' in tools", "supports"});
+               {"contact 'pad' of stage 'wave'", "tool at frame 'tool'", "'pad' in supports"});
   expect_words(with([](MpcSpec& s) { s.tools.push_back(s.tools[0]); }),
                {"tools has two entries for frame 'tool'"});
   expect_words(with([](MpcSpec& s) {

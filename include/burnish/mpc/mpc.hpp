@@ -69,7 +69,7 @@ class MpcController final : public Controller {
   /// - frames, supports or resting supports that do not exist, and two touches at one frame;
   /// - a support without a sensor that is not in contact in every stage, a support that holds
   ///   rotations and whose sensor measures only force, and a resting support without a sensor;
-  /// - a contact of a stage that is neither at a tool nor a support;
+  /// - a contact of a stage that is neither a support, nor a loop, nor at a tool;
   /// - two tools at one frame, and an unknown frame of a tool or of its surface;
   /// - a tool without a force sensor, unless it is the only tool and model_error.kind is `torque`;
   /// - anything that Problem, DdpSolver or MpcSpec::task rejects.

@@ -110,9 +110,9 @@ struct ToolSpec {
   std::string base = {};
   /// Normal of the surface that the tool presses on, in the axes of `base` (world axes if `base` is
   /// empty)
-  /// @more The normal points towards the robot; its length has no effect. Estimates of force and
-  /// friction use the normal, until MpcTask::surface() returns a surface. Contacts have their own
-  /// references
+  /// @more The normal points towards the robot; its length has no effect. Estimates use
+  /// this normal until MpcTask::surface() returns a surface. Contacts do not use it: state their
+  /// normal in ContactSpec.reference
   Eigen::Vector3d normal_base = Eigen::Vector3d::UnitZ();
   /// Normal force above which the tool counts as in contact [N], >= 0
   double contact_threshold = 2.0;
@@ -150,14 +150,14 @@ struct MpcSpec {
   /// (`touches`)
   std::vector<std::string> resting_supports = {};
   /// Sensors of tools, feet and hands that the controller reads
-  /// @more Measurement.wrenches has one column per entry, in this order. Tools without an entry
-  /// come first, each with a force sensor. A NaN in a component that the controller reads makes the
-  /// measurement invalid. If the entry of the only tool states the sensor `none`, the force on the
-  /// tool is estimated from the change of the torque error at contact. This estimate requires that
-  /// model_error.kind is `torque`. With a sensor at each support, torque errors are estimated in
-  /// all joints, including the joints of supporting legs. If only some supports have sensors, the
-  /// others count as rigid contacts. A support whose rotation is free, such as a point foot, needs
-  /// no sensor of moments
+  /// @more Measurement.wrenches has one column per entry, in this order. A tool without
+  /// an entry is assumed to have a force sensor; its column comes before those of the entries. A
+  /// NaN in a component that the controller reads makes the measurement invalid. If the entry of
+  /// the only tool states the sensor `none`, the force on the tool is estimated from the change of
+  /// the torque error at contact. This estimate requires that model_error.kind is `torque`. With a
+  /// sensor at each support, torque errors are estimated in all joints, including the joints of
+  /// supporting legs. If only some supports have sensors, the others count as rigid contacts. A
+  /// support whose rotation is free, such as a point foot, needs no sensor of moments
   std::vector<TouchSensor> touches = {};
   /// Time between ticks [s]
   double tick_period = 5e-4;
